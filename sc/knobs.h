@@ -1,0 +1,70 @@
+// What an architect may change, and the table that names it.
+//
+// The table drives the command line, its help, the checks, the statistics file and the manifest.
+// The defaults are the taped-out chip. Source: architecture page "Knobs", contract section 3.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+enum bisection_rule { BisectionPow2 = 0, BisectionMidpoint = 1 };
+enum stepping_rule { SteppingJumper = 0, SteppingFraction = 1 };
+
+struct knobs {
+  int interval_stack_depth = 4;
+  int face_stack_depth = 9;
+  int max_room_depth = 8;
+  int fifo_entries = 10;
+  int fifo_short_length_bits = 6;
+  int hurry_threshold = 32;
+  int dr_bits = 10;
+  int corner_bits = 12;
+  int corner_factor_bits = 8;
+  int partial_products_cut = 5;
+  int bisection = BisectionPow2;
+  int stepping = SteppingJumper;
+  int interlace = 1;
+  int dithering = 1;
+  int clocks_per_pixel = 2;
+  int skip_shared_edges = 0;
+  int speed = 0;
+
+  /// Largest depth at which a room is entered: the face stack must hold one face per room.
+  int room_depth_limit() const {
+    return max_room_depth < face_stack_depth ? max_room_depth : face_stack_depth - 1;
+  }
+};
+
+/// One row of the knob table.
+struct knob_info {
+  const char* name;
+  int knobs::*member;
+  int min, max;
+  std::vector<std::string> names;  ///< names of the values min..max, if they are names
+  const char* unit;
+  const char* meaning;
+  const char* source;
+
+  /// "4", or the name of the value where values have names.
+  std::string text(int value) const;
+  /// "1..64", or the names.
+  std::string range() const;
+};
+
+/// A knob that does not exist, or a value that it does not take; says which values it takes.
+class knob_error : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+const std::vector<knob_info>& knob_table();
+
+/// Sets one knob from "name=value". Throws knob_error.
+void set_knob(knobs& k, const std::string& assignment);
+
+}  // namespace racebeam

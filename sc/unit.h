@@ -1,0 +1,112 @@
+// Ports and wires of racebeam units: exact widths on top of SystemC's ports.
+//
+// A 1-bit port is `bool`, a wider one `sc_uint<Bits>`; signed values cross a port as raw two's
+// complement. An input reads the channel's value through a reference taken once, at the end of
+// elaboration; an output writes only what changed. Both keep the kernel out of the hot path.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <systemc>
+#include <type_traits>
+
+#include "sc/fixed_point.h"
+
+namespace racebeam {
+
+/// The SystemC type that carries `Bits` bits.
+template <int Bits>
+using wire_type = std::conditional_t<Bits == 1, bool, sc_dt::sc_uint<Bits>>;
+
+/// A wire with one driver; `Bits` wide.
+template <int Bits>
+using wire = sc_core::sc_signal<wire_type<Bits>, sc_core::SC_UNCHECKED_WRITERS>;
+
+/// Input port of `Bits` bits.
+template <int Bits>
+class in_port : public sc_core::sc_in<wire_type<Bits>> {
+ public:
+  using sc_core::sc_in<wire_type<Bits>>::sc_in;
+
+  /// The raw bits.
+  int value() const {
+    if constexpr (Bits == 1) {
+      return *channel_value_;
+    } else {
+      return static_cast<int>(channel_value_->value());
+    }
+  }
+  /// The bits as a signed number.
+  int signed_value() const { return wrap_signed(value(), Bits); }
+
+ protected:
+  void end_of_elaboration() override {
+    sc_core::sc_in<wire_type<Bits>>::end_of_elaboration();
+    channel_value_ = &(*this)->read();
+  }
+
+ private:
+  const wire_type<Bits>* channel_value_ = nullptr;
+};
+
+/// Output port of `Bits` bits.
+template <int Bits>
+class out_port : public sc_core::sc_out<wire_type<Bits>> {
+ public:
+  using sc_core::sc_out<wire_type<Bits>>::sc_out;
+
+  /// Drives the low `Bits` bits of `value`.
+  void drive(int value) {
+    const int raw = value & low_bits(Bits);
+    if (raw == driven_) return;
+    driven_ = raw;
+    (*this)->write(static_cast<wire_type<Bits>>(raw));
+  }
+
+ private:
+  int driven_ = 0;
+};
+
+/// One object per axis, named `<stem>_x<suffix>`, `_y`, `_z`.
+template <class Object>
+struct axes {
+  Object x, y, z;
+
+  explicit axes(const std::string& stem, const std::string& suffix = "")
+      : x((stem + "_x" + suffix).c_str()),
+        y((stem + "_y" + suffix).c_str()),
+        z((stem + "_z" + suffix).c_str()) {}
+
+  /// Binds the ports of three axes to three wires.
+  template <class Channels>
+  void bind(Channels& to) {
+    x.bind(to.x);
+    y.bind(to.y);
+    z.bind(to.z);
+  }
+};
+
+template <int Bits>
+struct axes_in : axes<in_port<Bits>> {
+  using axes<in_port<Bits>>::axes;
+  vec3 signed_value() const {
+    return {this->x.signed_value(), this->y.signed_value(), this->z.signed_value()};
+  }
+};
+
+template <int Bits>
+struct axes_out : axes<out_port<Bits>> {
+  using axes<out_port<Bits>>::axes;
+  void drive(const vec3& v) {
+    this->x.drive(v[0]);
+    this->y.drive(v[1]);
+    this->z.drive(v[2]);
+  }
+};
+
+template <int Bits>
+using axes_wire = axes<wire<Bits>>;
+
+}  // namespace racebeam
