@@ -8,14 +8,14 @@
 namespace racebeam {
 
 // Raster: 800 x 525 pixels (seed 000 "640x480 60 fps", contract section 3).
-constexpr int LinePixels = 800;     // pixel positions in a line, blanking included
-constexpr int FrameLines = 525;     // lines in a frame, blanking included
+constexpr int LinePixels = 800;  // pixel positions in a line, blanking included
+constexpr int FrameLines = 525;  // lines in a frame, blanking included
 constexpr int VisibleColumns = 640;
 constexpr int VisibleRows = 480;
-constexpr int FirstLine = -273;     // y of the first line of a frame
+constexpr int FirstLine = -273;  // y of the first line of a frame
 constexpr int FirstVisibleLine = -240;
-constexpr int LastLine = 251;       // y of the last line: the navigator's
-constexpr int FirstPosition = -480; // h_pos of the first pixel of a line
+constexpr int LastLine = 251;        // y of the last line: the navigator's
+constexpr int FirstPosition = -480;  // h_pos of the first pixel of a line
 constexpr double PixelClockHz = 25.2e6;
 
 // Rays.
@@ -27,10 +27,10 @@ constexpr int PixelBits = 10;
 constexpr int LastPixel = 639;
 
 // Rooms.
-constexpr int CornerBits = 12;      // signed, per axis
-constexpr int NavigatorBits = 9;    // signed, stored camera coordinates
-constexpr int RoomBits = 9;         // {k(1), j(4), i(4)}
-constexpr int SolidRoom = 511;      // "no neighbour"
+constexpr int CornerBits = 12;    // signed, per axis
+constexpr int NavigatorBits = 9;  // signed, stored camera coordinates
+constexpr int RoomBits = 9;       // {k(1), j(4), i(4)}
+constexpr int SolidRoom = 511;    // "no neighbour"
 
 // Position in the decision tree.
 constexpr int DepthBits = 4;
@@ -41,6 +41,6 @@ constexpr int StackCountPortBits = 7;
 
 // Demo.
 constexpr int FrameBits = 14;
-constexpr int DemoFrames = 12799;   // then the frame counter restarts
+constexpr int DemoFrames = 12799;  // then the frame counter restarts
 
 }  // namespace racebeam

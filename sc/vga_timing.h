@@ -112,8 +112,8 @@ class vga_timing : public sc_core::sc_module {
   out_port<1> hsync_no{"hsync_no"};
   out_port<1> vsync_no{"vsync_no"};
   // Beam position
-  out_port<11> x2_o{"x2_o"};  // signed, half pixels, -960..639
-  out_port<10> y_o{"y_o"};    // signed, scan line, -273..251
+  out_port<11> x2_o{"x2_o"};             // signed, half pixels, -960..639
+  out_port<10> y_o{"y_o"};               // signed, scan line, -273..251
   out_port<1> active_o{"active_o"};      // visible pixel
   out_port<1> h_active_o{"h_active_o"};  // visible column
   // Events, 1 for one clock

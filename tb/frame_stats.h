@@ -1,0 +1,38 @@
+// What the bench counts in a frame; the schema of stats.json follows this struct.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace racebeam {
+
+/// Counters of one frame. Unless said otherwise they cover the 480 visible lines and the clocks
+/// before line_done (contract section 19 defines each).
+struct FrameStats {
+  std::uint64_t clocks = 0;  ///< whole frame
+  std::uint64_t left_decisions = 0, right_decisions = 0, bisection_steps = 0;
+  std::uint64_t adjust_steps = 0;  ///< LEFT clocks in which dr2 still walks to i2
+  std::uint64_t descents = 0, pushes = 0;
+  std::uint64_t returns = 0, return_clocks = 0;
+  std::uint64_t emits = 0;
+  std::uint64_t restarts = 0;  ///< underflow restarts
+  std::uint64_t give_ups = 0;  ///< hits accepted by the hurry rule without a wall
+  std::uint64_t starved_pixels = 0;
+  std::uint64_t fifo_full_stalls = 0;  ///< clocks with an interval offered and not accepted
+  std::uint64_t rooms_entered = 0;
+  std::array<std::uint64_t, 65> fifo_fill{};    ///< clocks with that many entries in use
+  std::array<std::uint64_t, 65> stack_depth{};  ///< clocks with that many interval stack entries
+  /// Per visible line, in clocks from the line's start.
+  std::vector<int> camera_clocks;  ///< first clock of the tracer
+  std::vector<int> first_emit;     ///< first accepted interval; -1 if none
+  std::vector<int> done_clock;     ///< first clock with line_done = 1; -1 if never
+  std::vector<int> busy_clocks;    ///< tracer clocks before line_done
+
+  std::uint64_t decisions() const { return left_decisions + right_decisions + bisection_steps; }
+};
+
+}  // namespace racebeam
