@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/chip_core.h"
+
+namespace racebeam {
+
+chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
+  // 1 to 3: raster, FIFO flags, conductor.
+  const vga_timing_core::inputs timing_in{rst_n, k.speed};
+  const auto t = vga_timing.comb(timing_in, k);
+  const bool starving = interval_fifo.starving(k);
+  sequencer_core::inputs choose{rst_n, t.frame_end, camera_unit.run(), ray_stepper.dr2_q[1],
+                                0,     t.y};
+  const auto s = sequencer.comb(choose, k);
+
+  // 4, 5: the decision.
+  const bool line_reset = !rst_n || t.line_end;
+  const bool tracer_reset = camera_unit.tracer_reset(line_reset);
+  const bool left = subdivider.state_q == StateLeft;
+  const auto& top = stacks.top(subdivider.sp_q, k);
+  subdivider_core::inputs sub{};
+  sub.tracer_reset = tracer_reset;
+  sub.dec = decision_datapath.decide(left ? ray_stepper.dr1_q : ray_stepper.dr2_q, k);
+  sub.mask = decision_datapath.mask();
+  sub.wall = decision_datapath.wall_q;
+  sub.second = decision_datapath.second_q;
+  sub.tag = decision_datapath.tag();
+  sub.starving = starving;
+  sub.top_tag = top.tag;
+  sub.top_i2 = top.i2;
+  sub.lock = s.lock;
+  sub.consume = t.consume;
+
+  // 6: the interval on offer.
+  const int value = pixel_output_core::value(decision_datapath.hit_face_q, subdivider.signs(),
+                                             t.y & 1, s.shading_b, starving, k);
+  const interval_fifo_core::inputs fifo_in{tracer_reset, t.consume, subdivider.emit(sub, k),
+                                           subdivider.len_m1(), value};
+  sub.ack = interval_fifo.ack(fifo_in, k);
+
+  // 7: the subdivider's move.
+  const auto move = subdivider.comb(sub, k);
+
+  // 8, 9: the camera and the stepper.
+  camera_unit_core::inputs cam{line_reset, move.step, ray_stepper.dr2_q, 0, t.y};
+  if (tracer_reset) cam.angle = sequencer.angle(camera_unit.source(line_reset, move.step), t.y);
+  const auto control = camera_unit.comb(cam, k);
+  sub.idx_load = control.idx_load;
+  sub.idx_start = control.idx_start;
+  sub.i2_init = control.i2_init;
+  const ray_stepper_core::inputs stepper_in{
+      control.load,   control.load_zero, control.ext,   control.ext_sign, control.axis_mask,
+      control.delta,  control.copy,      move.copy_sub, move.step,        move.neg,
+      move.step_size, subdivider.idx2_q, tracer_reset};
+
+  // 10, 11: the room and the navigator.
+  const auto nav = navigator.comb(decision_datapath.corner_q);
+  decision_datapath_core::inputs place{};
+  place.tracer_reset = tracer_reset;
+  place.restart = move.restart;
+  place.nav_line = t.nav_line;
+  place.active_start = t.active_start;
+  place.nav_position = navigator.position_q;
+  place.nav_room = navigator.room();
+  place.nav_axis = nav.axis;
+  place.nav_negative = nav.negative;
+  place.nav_move = nav.move;
+  place.nav_op = nav.op;
+  place.velocity_z = s.velocity_z;
+  place.descend = move.descend;
+  place.climb = move.climb;
+  place.in_return = subdivider.state_q == StateReturn;
+  place.cur = move.cur;
+  place.signs = subdivider.signs();
+  place.top_tag = top.tag;
+  place.face_read = stacks.face(decision_datapath.depth_q, k);
+  const auto room = scene_core::geometry(s.scene_flags, decision_datapath.room_q);
+  const int axis = decision_datapath.lookup_axis(place);
+  place.half_size = room.half_size;
+  place.position = room.position;
+  place.neighbour = scene_core::neighbour(s.scene_flags, decision_datapath.room_q, axis,
+                                          bit_of(decision_datapath.lookup_signs(place), axis));
+  place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
+
+  // 12: the pins.
+  const pins out{pixel_output_core::uo({interval_fifo.display(k), s.lock, s.inverse, t.active,
+                                        t.hsync_n, t.vsync_n, ray_stepper.dr2_q, s.palette},
+                                       k),
+                 pwm_sound.comb().pwm};
+  if (view)
+    *view = {t.y,
+             sequencer.frame_q,
+             t.line_end,
+             t.consume,
+             camera_unit.run(),
+             subdivider.state_q,
+             subdivider.idx2_q,
+             subdivider.i2_q,
+             sub.tag,
+             subdivider.sd_q,
+             sub.second,
+             sub.wall,
+             fifo_in.emit,
+             sub.ack,
+             subdivider.line_done_q,
+             move.restart,
+             starving,
+             move.descend,
+             move.push,
+             interval_fifo.fill(k)};
+
+  // The edge.
+  const bool face_write = decision_datapath.face_write(place);
+  stacks.clock({move.push, sub.tag, subdivider.i2_q, subdivider.sp_q, face_write,
+                decision_datapath.face_code(), decision_datapath.depth_q},
+               k);
+  navigator.clock({!rst_n || s.nav_reset, s.start_y, t.nav_line && t.active_start,
+                   decision_datapath.corner_q, decision_datapath.room_q});
+  decision_datapath.clock(place, k);
+  ray_stepper.clock(stepper_in, k);
+  subdivider.clock(sub, move, k);
+  camera_unit.clock(cam, k);
+  interval_fifo.clock(fifo_in, k);
+  pwm_sound.clock({rst_n, k.speed, t.x2, t.y, sequencer.frame_q}, k);
+  sequencer.clock(choose);
+  vga_timing.clock(timing_in, k);
+  return out;
+}
+
+navigator_core fly_to(int frame) {
+  const knobs k;
+  sequencer_core sequencer;
+  navigator_core navigator;
+  const auto flags_of = [&](int f) {
+    sequencer.frame_q = f;
+    return sequencer.comb({true, false, false, 0, 0, 0}, k);
+  };
+  int start = frame;
+  while (!flags_of(start).nav_reset) --start;
+  for (int f = start; f <= frame; ++f) {
+    const auto s = flags_of(f);
+    // The frame before moved the camera on its last line; a restart overrules that.
+    decision_datapath_core datapath;
+    if (f > start && !s.nav_reset) {
+      const auto before = flags_of(f - 1);
+      for (int clock = 0; clock < 8; ++clock) {
+        const auto nav = navigator.comb(datapath.corner_q);
+        decision_datapath_core::inputs in{};
+        in.nav_line = true;
+        in.active_start = clock == 0;
+        in.nav_position = navigator.position_q;
+        in.nav_room = navigator.room();
+        in.nav_op = nav.op;
+        in.nav_move = nav.move;
+        in.velocity_z = before.velocity_z;
+        const auto room = scene_core::geometry(before.scene_flags, datapath.room_q);
+        in.half_size = room.half_size;
+        in.position = room.position;
+        in.neighbour =
+            scene_core::neighbour(before.scene_flags, datapath.room_q, nav.axis, nav.negative);
+        navigator.clock({before.nav_reset, before.start_y, in.active_start, datapath.corner_q,
+                         datapath.room_q});
+        datapath.clock(in, k);
+      }
+    }
+    if (s.nav_reset) navigator.clock({true, s.start_y, false, {}, 0});
+  }
+  return navigator;
+}
+
+}  // namespace racebeam

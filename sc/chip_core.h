@@ -1,0 +1,52 @@
+// chip_core: all cores of the chip in one clocked loop, without SystemC.
+//
+// The wiring of chip.h as function calls, in the evaluation order of contract section 4.1. Same
+// pins and registers on every clock; used where no waveform and no swap is wanted, and as the
+// reference for the wiring of the SystemC chip.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/camera_unit.h"
+#include "sc/chip_view.h"
+#include "sc/decision_datapath.h"
+#include "sc/interval_fifo.h"
+#include "sc/navigator.h"
+#include "sc/pixel_output.h"
+#include "sc/pwm_sound.h"
+#include "sc/ray_stepper.h"
+#include "sc/scene.h"
+#include "sc/sequencer.h"
+#include "sc/stacks.h"
+#include "sc/subdivider.h"
+#include "sc/vga_timing.h"
+
+namespace racebeam {
+
+struct chip_core {
+  vga_timing_core vga_timing;
+  sequencer_core sequencer;
+  camera_unit_core camera_unit;
+  ray_stepper_core ray_stepper;
+  subdivider_core subdivider;
+  stacks_core stacks;
+  decision_datapath_core decision_datapath;
+  navigator_core navigator;
+  interval_fifo_core interval_fifo;
+  pwm_sound_core pwm_sound;
+
+  struct pins {
+    int uo;
+    bool pwm;
+  };
+
+  /// The pins before the edge, then the edge; `view` receives the wires if given.
+  pins clock(bool rst_n, const knobs& k, chip_view* view = nullptr);
+};
+
+/// The navigator at the start of frame `frame` of the demo, 0..12798: flown there frame by frame
+/// from the last restart of the flight (contract section 13), in the units' own arithmetic.
+navigator_core fly_to(int frame);
+
+}  // namespace racebeam

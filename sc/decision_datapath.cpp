@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/decision_datapath.h"
+
+#include <utility>
+
+#include "sc/navigator.h"
+#include "sc/subdivider.h"
+
+namespace racebeam {
+
+int decision_datapath_core::decide(const vec3& dr, const knobs& k) const {
+  const int signs = (dr[0] < 0) | (dr[1] < 0) << 1 | (dr[2] < 0) << 2;
+  int axis;
+  bool inverted;
+  if (level_q >= 4) {
+    axis = level_q & 1 ? (dom_q ? 0 : 1) : 2;
+    inverted = axis == 1;
+  } else {
+    axis = (face_q + 1 + (level_q & 1)) % 3;
+    inverted = (level_q == 0 || level_q == 3) != (axis == 1);
+  }
+  const int a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
+  const int ca = corner_q[a], cb = corner_q[b];
+  bool ge;
+  if (cb < 0) {
+    ge = true;
+  } else if (ca < 0) {
+    ge = false;
+  } else {
+    const int high = (ca | cb) >> k.corner_factor_bits;
+    const int shift = high ? 32 - __builtin_clz(high) : 0;
+    const int ma = dr[a] < 0 ? ~dr[a] : dr[a], mb = dr[b] < 0 ? ~dr[b] : dr[b];
+    ge = truncated_product(ca >> shift, mb, k.partial_products_cut) >=
+         truncated_product(cb >> shift, ma, k.partial_products_cut);
+  }
+  return signs << 1 | (ge != inverted);
+}
+
+void decision_datapath_core::clock(const inputs& in, const knobs& k) {
+  const bool down = go_down(in);
+  if (in.tracer_reset || (in.restart && !in.nav_line) || (in.nav_line && in.active_start)) {
+    depth_q = 0;
+    level_q = 2;
+    room_q = in.nav_room;
+    corner_q = in.nav_position;
+    second_q = wall_q = false;
+  } else {
+    const vec3 corner = corner_q;
+    const int room = room_q;
+    if (in.in_return && !down) wall_q = false;
+    if (down) descend(in, k);
+    else if (in.climb) climb(in);
+    else second_q = false;
+    if (in.nav_line) {
+      corner_q = corner;
+      room_q = room;
+      navigate(in, k);
+    }
+    for (int& c : corner_q) c = wrap_signed(c, k.corner_bits);
+  }
+  descend_q = in.descend;
+}
+
+// One step towards the leaves (contract 11.5). Corner terms are those of the mirrored world:
+// s * R is R where the ray is positive, -R where it is negative.
+void decision_datapath_core::descend(const inputs& in, const knobs& k) {
+  const bool bit = in.cur & 1;
+  const bool was_second = std::exchange(second_q, false);
+  if (level_q == 6) {
+    dom_prev_q = dom_q;
+    dom_q = bit;
+    level_q = 7;
+  } else if (level_q == 7 && !was_second) {
+    const int face = new_face(in.cur);
+    if (depth_q == k.room_depth_limit() || in.neighbour == SolidRoom) hit_wall(face);
+    if (in.neighbour == SolidRoom) return;
+    for (int a = 0; a < 3; ++a) {
+      const int r = mirrored_position(a, in);
+      left_far_q[a] = r + in.half_size[a];
+      left_near_q[a] = r - in.half_size[a];
+      corner_q[a] -= r + in.half_size[a];
+    }
+    second_q = true;
+    face_q = face;
+    room_q = in.neighbour;
+  } else if (level_q == 7) {
+    if (depth_q == k.room_depth_limit()) hit_wall(face_q);
+    enter(in, k);
+  } else if (depth_q == 0 && level_q == 2) {
+    for (int a = 0; a < 3; ++a) {
+      const bool mirrored = bit_of(in.cur >> 1, a);
+      corner_q[a] = (mirrored ? -corner_q[a] : corner_q[a]) + in.half_size[a];
+      if (a == 2 && in.interlace) corner_q[a] += mirrored ? -1 : 1;
+    }
+    level_q = 6;
+  } else if (depth_q == 0 || level_q >= 4) {
+    ++level_q;  // off the tree, nav_line only
+  } else {
+    if (bit) hit_wall(face_q);
+    else wall_q = false;
+    go_to_test(next_test(level_q + 1), in);
+  }
+}
+
+// The second half of entering a room: from the camera's side of its centre to its first test.
+void decision_datapath_core::enter(const inputs& in, const knobs& k) {
+  depth_q = (depth_q + 1) & low_bits(DepthBits);
+  shared_q[depth_q] = k.skip_shared_edges ? shared_edges(in, k) : 0;
+  level_q = next_test(0);
+  for (int a = 0; a < 3; ++a)
+    corner_q[a] += mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+}
+
+// Levels 0..3 (bits) whose edge of the room being entered does not narrow the face left.
+int decision_datapath_core::shared_edges(const inputs& in, const knobs& k) const {
+  int shared = 0;
+  for (int level = 0; level < 4; ++level) {
+    const int a = (face_q + 2 - (level & 1)) % 3;  // dimension that the edge bounds
+    const int r = mirrored_position(a, in), s = in.half_size[a];
+    const int beyond = level < 2 ? r + s - left_far_q[a] : left_near_q[a] - (r - s);
+    if (wrap_signed(beyond, k.corner_bits) >= 0) shared |= 1 << level;
+  }
+  return shared;
+}
+
+// Moves within a room: only the corner's signs change.
+void decision_datapath_core::go_to_test(int level, const inputs& in) {
+  for (int a = 0; a < 3; ++a)
+    corner_q[a] += (corner_sign(level, a) - corner_sign(level_q, a)) * in.half_size[a];
+  level_q = level;
+}
+
+// One step towards the root, to where top_tag points (contract 11.6).
+void decision_datapath_core::climb(const inputs& in) {
+  const int target_depth = in.top_tag >> LevelBits, target_level = in.top_tag & low_bits(LevelBits);
+  const bool was_second = std::exchange(second_q, false);
+  if (target_depth != depth_q) {  // leave the room
+    if (!was_second)
+      for (int a = 0; a < 3; ++a)
+        corner_q[a] -= mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+    if (level_q == 7) dom_q = dom_prev_q;
+    depth_q = (depth_q - 1) & low_bits(DepthBits);
+    room_q = in.neighbour;
+    level_q = 7;
+    second_q = true;
+    face_q = in.face_read == 3 ? 2 : in.face_read;
+    dom_prev_q = in.face_read & 1;
+  } else if (was_second) {  // arrive in the room
+    level_q = target_level;
+    if (target_level != 7) dom_q = dom_prev_q;
+    const bool root = depth_q == 0 && target_level < 4;
+    for (int a = 0; a < 3; ++a)
+      if (root) corner_q[a] = (bit_of(in.signs, a) ? -corner_q[a] : corner_q[a]) + in.position[a];
+      else corner_q[a] += mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+  } else {  // within the room
+    if (level_q == 7) dom_q = dom_prev_q;
+    const int even = level_q & ~1;
+    const int from = target_level == even ? level_q : even;
+    if (from == 6 && depth_q == 0) {
+      for (int a = 0; a < 3; ++a) {
+        const bool mirrored = bit_of(in.signs, a);
+        const int c = corner_q[a] - in.half_size[a];
+        corner_q[a] = mirrored ? -c : c;
+        if (a == 2 && in.interlace) corner_q[a] += mirrored ? 1 : -1;
+      }
+      level_q = 2;
+      return;
+    }
+    int to = (from - 1) & low_bits(LevelBits);
+    if (from == 6) to = target_level == 2 || target_level == 3 ? 3 : 1;
+    if (target_level % 2 == 0) to &= ~1;
+    if (depth_q != 0 && (from == 2 || from == 6)) go_to_test(to, in);
+    level_q = to;
+  }
+}
+
+// The nav_line: the navigator owns the corner and the room.
+void decision_datapath_core::navigate(const inputs& in, const knobs&) {
+  for (int a = 0; a < 3; ++a) {
+    const int r = in.position[a], s = in.half_size[a];
+    switch (in.nav_op) {
+      case CornerAddVelocity: corner_q[a] += a == 2 ? in.velocity_z : 0; break;
+      case CornerAddS: corner_q[a] += s; break;
+      case CornerSubtract2S: corner_q[a] -= 2 * s; break;
+      case CornerLeavePlus: corner_q[a] -= r + s; break;
+      case CornerLeaveMinus: corner_q[a] += s - r; break;
+      case CornerAddR: corner_q[a] += r; break;
+      default: break;
+    }
+  }
+  if (in.nav_move) room_q = in.neighbour;
+}
+
+decision_datapath::decision_datapath(const sc_core::sc_module_name& name, const knobs& k)
+    : sc_module(name), knobs_(k) {
+  SC_HAS_PROCESS(decision_datapath);
+  SC_METHOD(seq);
+  sensitive << clk_i.pos();
+  dont_initialize();
+  SC_METHOD(decide);
+  sensitive << moved_ << state_i << dr1_i.x << dr1_i.y << dr1_i.z << dr2_i.x << dr2_i.y << dr2_i.z;
+  SC_METHOD(lookup);
+  sensitive << moved_ << descend_i << nav_line_i << nav_axis_i << nav_negative_i << neighbour_i;
+}
+
+decision_datapath_core::inputs decision_datapath::inputs() const {
+  decision_datapath_core::inputs in;
+  in.tracer_reset = tracer_reset_i.value();
+  in.restart = restart_i.value();
+  in.nav_line = nav_line_i.value();
+  in.active_start = active_start_i.value();
+  in.nav_position = nav_position_i.signed_value();
+  in.nav_room = nav_room_i.value();
+  in.nav_axis = nav_axis_i.value();
+  in.nav_negative = nav_negative_i.value();
+  in.nav_move = nav_move_i.value();
+  in.nav_op = nav_op_i.value();
+  in.velocity_z = velocity_z_i.signed_value();
+  in.descend = descend_i.value();
+  in.climb = climb_i.value();
+  in.in_return = state_i.value() == StateReturn;
+  in.cur = cur_i.value();
+  in.signs = ray_signs_i.value();
+  in.top_tag = top_tag_i.value();
+  in.face_read = fread_i.value();
+  in.half_size = half_size_i.signed_value();
+  in.position = position_i.signed_value();
+  in.neighbour = neighbour_i.value();
+  in.interlace =
+      !no_interlace_i.value() && scene_interlace_i.value() && (y_i.value() & 1) && !in.nav_line;
+  return in;
+}
+
+void decision_datapath::seq() {
+  const bool idle = !descend_i.value() && !climb_i.value() && !core_.second_q && !core_.descend_q &&
+                    !core_.wall_q;
+  if (idle && !tracer_reset_i.value() && !restart_i.value() && !nav_line_i.value()) return;
+  core_.clock(inputs(), knobs_);
+  mask_o.drive(core_.mask());
+  tag_o.drive(core_.tag());
+  wall_o.drive(core_.wall_q);
+  second_o.drive(core_.second_q);
+  room_o.drive(core_.room_q);
+  corner_o.drive(core_.corner_q);
+  hit_face_o.drive(core_.hit_face_q);
+  moved_.notify(sc_core::SC_ZERO_TIME);
+}
+
+void decision_datapath::decide() {
+  dec_o.drive(core_.decide(
+      state_i.value() == StateLeft ? dr1_i.signed_value() : dr2_i.signed_value(), knobs_));
+}
+
+void decision_datapath::lookup() {
+  const auto in = inputs();
+  axis_o.drive(core_.lookup_axis(in));
+  signs_o.drive(core_.lookup_signs(in));
+  fwrite_o.drive(core_.face_write(in));
+  fdata_o.drive(core_.face_code());
+  // The decision itself chooses the face at level 7 only.
+  if (core_.level_q == 7) {
+    if (face_events_.size() == 0)
+      face_events_ = moved_ | descend_i->value_changed_event() | cur_i->value_changed_event() |
+                     ray_signs_i->value_changed_event() | nav_line_i->value_changed_event() |
+                     nav_axis_i->value_changed_event() | nav_negative_i->value_changed_event() |
+                     neighbour_i->value_changed_event();
+    next_trigger(face_events_);
+  }
+}
+
+}  // namespace racebeam

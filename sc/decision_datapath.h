@@ -1,0 +1,202 @@
+// decision_datapath: where the tracer is in the decision tree, and the decision it takes there.
+//
+// What    holds the place {depth, level}, the room, and the corner under test (relative to the
+//         camera, mirrored so that the ray's components are not negative). A decision asks on
+//         which side of an edge through the corner the ray passes: the sign of a 2x2 determinant,
+//         two truncated 9 x 8 bit products. Descending and climbing move the corner by room sizes
+//         and distances with one adder per axis. Levels of a room: 0, 1 far and 2, 3 near edges of
+//         the portal it was entered by (not at depth 0, where 2 decides the ray's signs), 6 and 7
+//         the face it is left by.
+// Size    61 register bits; corner 3 x 12 bits signed, wraps.
+// Cycles  one decision, one descent or one climb a clock; a room change takes two (second = 1).
+// Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; descend_i, climb_i, cur_i, signs_i, nav_* -> axis_o,
+//         signs_o, fwrite_o, fdata_o. mask_o, tag_o, wall_o, second_o, room_o, corner_*_o,
+//         hit_face_o: registers only.
+// Stall   holds when nothing is asked.
+// Reset   tracer_reset_i, restart_i (not on the nav_line), active_start_i on the nav_line: the
+//         root, depth 0, level 2, at the camera. face, dom and hit_face are not reset.
+// Knobs   dr_bits, corner_bits, corner_factor_bits, partial_products_cut, max_room_depth,
+//         face_stack_depth, interlace, skip_shared_edges (the levels of an edge that lies on the
+//         edge of the face are passed over).
+// Twin    rtl/decision_datapath.sv        Test  tests/decision_datapath_test.cpp
+// Source  contract section 11; seed 000 "Geometry tests", "Subdeterminant calculation".
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/constants.h"
+#include "sc/knobs.h"
+#include "sc/unit.h"
+
+namespace racebeam {
+
+/// Sum of the partial products of x * m that weigh 2^cut or more, divided by 2^cut.
+inline int truncated_product(int x, int m, int cut) {
+  int sum = (x >> cut) * m;
+  for (int i = 0; i < cut; ++i)
+    if (x >> i & 1) sum += m >> (cut - i);
+  return sum;
+}
+
+/// Behaviour of decision_datapath.
+struct decision_datapath_core {
+  int depth_q = 0, level_q = 2;
+  int room_q = 0;
+  vec3 corner_q{};
+  int face_q = 0, hit_face_q = 0;
+  bool dom_q = false, dom_prev_q = false;
+  bool wall_q = false, second_q = false, descend_q = false;
+  // skip_shared_edges only: extent of the room being left, and per depth the levels (bits) that
+  // need no decision.
+  vec3 left_far_q{}, left_near_q{};
+  int shared_q[16]{};
+
+  struct inputs {
+    // Re-rooting
+    bool tracer_reset, restart, nav_line, active_start;
+    vec3 nav_position;  // signed
+    int nav_room;
+    // Navigator's controls, on the nav_line
+    int nav_axis;
+    bool nav_negative, nav_move;
+    int nav_op, velocity_z;
+    // subdivider
+    bool descend, climb, in_return;
+    int cur, signs;  // decision to descend with; stored ray signs
+    // stacks
+    int top_tag, face_read;
+    // scene: the current room and its neighbour
+    vec3 half_size, position;
+    int neighbour;
+    bool interlace;  // this line shows the previous camera position
+  };
+
+  int tag() const { return depth_q << LevelBits | level_q; }
+  /// Bits of the decision that count: the three signs at the top of the tree, else the bit.
+  int mask() const { return depth_q == 0 && level_q < 4 ? 14 : 1; }
+  /// {sign z, sign y, sign x, bit} for a ray direction.
+  int decide(const vec3& dr, const knobs& k) const;
+
+  /// What scene is asked for: face axis and, per axis, 1 for towards negative coordinates.
+  /// It follows the ray while the first half of a descent through a face is possible (level 7),
+  /// and looks back through the face the room was entered by otherwise.
+  int lookup_axis(const inputs& in) const {
+    if (in.nav_line) return in.nav_axis;
+    return leaves_by_new_face(in) ? new_face(in.cur) : face_q;
+  }
+  int lookup_signs(const inputs& in) const {
+    if (in.nav_line) return in.nav_negative ? 7 : 0;
+    return leaves_by_new_face(in) ? in.signs : ~in.signs & 7;
+  }
+  /// A room is entered: the face stack is written at this depth.
+  bool face_write(const inputs& in) const { return enters_room(in) && in.neighbour != SolidRoom; }
+  int face_code() const { return face_q | dom_prev_q; }
+
+  void clock(const inputs& in, const knobs& k);
+
+ private:
+  int new_face(int cur) const {
+    const bool bit = cur & 1;
+    return dom_q ? (bit ? 2 : 1) : (bit ? 0 : 2);
+  }
+  bool go_down(const inputs& in) const { return in.descend || (second_q && descend_q); }
+  bool leaves_by_new_face(const inputs& in) const {
+    return in.descend && level_q == 7 && !second_q;
+  }
+  bool enters_room(const inputs& in) const { return go_down(in) && level_q == 7 && !second_q; }
+  /// Position of the room in the mirrored world.
+  static int mirrored_position(int a, const inputs& in) {
+    return bit_of(in.signs, a) ? -in.position[a] : in.position[a];
+  }
+  /// Which corner of the room a level tests: -1 towards the camera, 1 away from it.
+  int corner_sign(int level, int a) const {
+    if (level >= 4) return 1;
+    return level < 2 && a != face_q ? 1 : -1;
+  }
+  /// The first level from `level` on that needs a decision.
+  int next_test(int level) const {
+    while (level < 4 && (shared_q[depth_q] >> level & 1)) ++level;
+    return level < 4 ? level : 6;
+  }
+  void descend(const inputs& in, const knobs& k);
+  void enter(const inputs& in, const knobs& k);
+  int shared_edges(const inputs& in, const knobs& k) const;
+  void go_to_test(int level, const inputs& in);
+  void climb(const inputs& in);
+  void navigate(const inputs& in, const knobs& k);
+  void hit_wall(int face) {
+    if (!wall_q) hit_face_q = face;
+    wall_q = true;
+  }
+};
+
+/// Pins of decision_datapath.
+class decision_datapath : public sc_core::sc_module {
+ public:
+  // Clock; phase of the line
+  in_port<1> clk_i{"clk_i"};
+  in_port<1> tracer_reset_i{"tracer_reset_i"};
+  in_port<1> nav_line_i{"nav_line_i"};
+  in_port<1> active_start_i{"active_start_i"};
+  in_port<10> y_i{"y_i"};  // bit 0: odd line
+  // Pins of the chip, sequencer
+  in_port<1> no_interlace_i{"no_interlace_i"};
+  in_port<1> scene_interlace_i{"scene_interlace_i"};
+  in_port<2> velocity_z_i{"velocity_z_i"};  // signed
+  // navigator
+  axes_in<NavigatorBits> nav_position_i{"nav_position", "_i"};  // signed
+  in_port<RoomBits> nav_room_i{"nav_room_i"};
+  in_port<2> nav_axis_i{"nav_axis_i"};
+  in_port<1> nav_negative_i{"nav_negative_i"};
+  in_port<3> nav_op_i{"nav_op_i"};  // corner_op
+  in_port<1> nav_move_i{"nav_move_i"};
+  axes_out<CornerBits> corner_o{"corner", "_o"};  // signed
+  // ray_stepper
+  axes_in<DrPortBits> dr1_i{"dr1", "_i"};  // signed, left end
+  axes_in<DrPortBits> dr2_i{"dr2", "_i"};  // signed, right end
+  // subdivider: the decision
+  in_port<2> state_i{"state_i"};
+  out_port<4> dec_o{"dec_o"};
+  out_port<4> mask_o{"mask_o"};
+  out_port<TagBits> tag_o{"tag_o"};  // {depth, level}
+  out_port<1> wall_o{"wall_o"};
+  out_port<1> second_o{"second_o"};
+  // subdivider: the move
+  in_port<1> descend_i{"descend_i"};
+  in_port<1> climb_i{"climb_i"};
+  in_port<4> cur_i{"cur_i"};
+  in_port<3> ray_signs_i{"ray_signs_i"};  // 1: negative
+  in_port<1> restart_i{"restart_i"};
+  // stacks
+  in_port<TagBits> top_tag_i{"top_tag_i"};
+  in_port<2> fread_i{"fread_i"};
+  out_port<1> fwrite_o{"fwrite_o"};
+  out_port<2> fdata_o{"fdata_o"};
+  // scene
+  out_port<RoomBits> room_o{"room_o"};
+  out_port<2> axis_o{"axis_o"};
+  out_port<3> signs_o{"signs_o"};
+  axes_in<CornerBits> half_size_i{"half_size", "_i"};
+  axes_in<CornerBits> position_i{"position", "_i"};  // signed
+  in_port<RoomBits> neighbour_i{"neighbour_i"};
+  // pixel_output
+  out_port<2> hit_face_o{"hit_face_o"};  // axis of the wall hit
+
+  decision_datapath(const sc_core::sc_module_name& name, const knobs& k);
+
+  const decision_datapath_core& core() const { return core_; }
+
+ private:
+  void seq();
+  void decide();
+  void lookup();
+  decision_datapath_core::inputs inputs() const;
+
+  const knobs knobs_;
+  decision_datapath_core core_;
+  sc_core::sc_event moved_{"moved"};
+  sc_core::sc_event_or_list face_events_;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,54 @@
+// scene: the world as logic. Size and place of a room, and the room behind each of its faces.
+//
+// What    rooms on a 9 x 9 grid of 256 units; flags choose one of eight geometries (windows,
+//         portals, blocked cells, heights, tunnel, narrow). R is the room's centre, S its half
+//         size, neighbour the room through the face `axis`, towards negative coordinates where
+//         signs has the axis' bit; 511 where the face is solid.
+// Size    no registers. Room id {k(1), j(4), i(4)}; coordinates 12 bits, modulo 4096.
+// Cycles  combinational.
+// Comb    all inputs -> all outputs (S and R do not depend on axis_i, signs_i).
+// Stall   none.
+// Reset   none.
+// Twin    rtl/scene.sv        Test  tests/scene_test.cpp
+// Source  contract sections 12 and 17.2; seed 000 "Scene structure".
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/constants.h"
+#include "sc/unit.h"
+
+namespace racebeam {
+
+/// Behaviour of scene.
+struct scene_core {
+  struct room {
+    vec3 half_size, position;
+  };
+  /// Half size and position (signed) of a room.
+  static room geometry(int flags, int id);
+  /// Room behind a face, 511 if solid.
+  static int neighbour(int flags, int id, int axis, bool negative);
+};
+
+/// Pins of scene.
+class scene : public sc_core::sc_module {
+ public:
+  // sequencer
+  in_port<6> scene_flags_i{"scene_flags_i"};  // scene_flag bits
+  // decision_datapath
+  in_port<RoomBits> room_i{"room_i"};
+  in_port<2> axis_i{"axis_i"};    // face looked through
+  in_port<3> signs_i{"signs_i"};  // per axis, 1: towards negative coordinates
+  axes_out<CornerBits> half_size_o{"half_size", "_o"};
+  axes_out<CornerBits> position_o{"position", "_o"};  // signed
+  out_port<RoomBits> neighbour_o{"neighbour_o"};      // 511: solid
+
+  explicit scene(const sc_core::sc_module_name& name);
+
+ private:
+  void comb();
+};
+
+}  // namespace racebeam

@@ -1,0 +1,123 @@
+// sequencer: the demo's conductor. Frame counter; what each frame shows and how the camera turns.
+//
+// What    counts frames 0..12798 (12799 lives for one clock) and derives from the count: scene
+//         flags, palette, shading, interlace, rotation variant, lock effect, inversion, camera
+//         start, speed and restarts; and the camera angle that camera_unit asks for by src_i.
+//         part = frame[13:11], pattern = frame[10:9], measure = frame[8:7].
+// Size    14 register bits.
+// Cycles  everything but the frame counter is combinational.
+// Comb    dr2_y_i, run_i -> palette_o, lock_o (only in the lock effect's parts);
+//         src_i, y_i -> angle_o.
+// Stall   none.
+// Reset   frame 0.
+// Twin    rtl/sequencer.sv        Test  tests/sequencer_test.cpp
+// Source  contract sections 7.5, 13, 17.1, 17.3, 17.4, 17.5.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/constants.h"
+#include "sc/knobs.h"
+#include "sc/unit.h"
+
+namespace racebeam {
+
+/// Bits of scene_flags (contract 17.2).
+enum scene_flag {
+  SceneWindows = 1,  // W: ceiling windows
+  ScenePortals = 2,  // P: portals in the odd-odd cells
+  SceneBlocked = 4,  // B: blocked odd cells
+  SceneHeights = 8,  // H: alternate heights
+  SceneTunnel = 16,  // U: tunnel
+  SceneNarrow = 32,  // N: narrow corridors
+};
+
+/// What camera_unit asks angle_o for.
+enum angle_source { AngleYaw = 0, AnglePitch = 1, AngleFov = 2 };
+
+/// Behaviour of sequencer.
+struct sequencer_core {
+  int frame_q = 0;
+
+  struct inputs {
+    bool rst_n, frame_end, run;
+    int dr2_y;  // signed, dr_bits wide
+    int src;
+    int y;  // signed
+  };
+  struct outputs {
+    int scene_flags, palette, variant, start_y, velocity_z;
+    bool shading_b, scene_interlace, lock, inverse, fast, nav_reset;
+  };
+
+  int part() const { return frame_q >> 11; }
+  int pattern() const { return frame_q >> 9 & 3; }
+  int measure() const { return frame_q >> 7 & 3; }
+  /// Scene selector e of contract 17.1.
+  int scene_selector() const {
+    if (part() != 1 && part() != 4) return part();
+    const int e = frame_q >> 8 & 7;
+    return part() == 1 && e == 5 ? 1 : e;
+  }
+  bool lock_enabled() const { return part() == 1 && (pattern() != 0 || measure() == 3); }
+  bool lock_partial() const { return pattern() != 1; }
+
+  /// All outputs but the angle.
+  outputs comb(const inputs& in, const knobs& k) const;
+  /// The 10-bit angle or focal length selected by `src`.
+  int angle(int src, int y) const;
+
+  void clock(const inputs& in) {
+    if (!in.rst_n || frame_q == DemoFrames) frame_q = 0;
+    else frame_q += in.frame_end;
+  }
+};
+
+/// Pins of sequencer.
+class sequencer : public sc_core::sc_module {
+ public:
+  // Clock and reset
+  in_port<1> clk_i{"clk_i"};
+  in_port<1> rst_ni{"rst_ni"};
+  // vga_timing
+  in_port<1> frame_end_i{"frame_end_i"};
+  in_port<10> y_i{"y_i"};  // signed
+  // camera_unit
+  in_port<1> run_i{"run_i"};
+  in_port<2> src_i{"src_i"};        // angle_source
+  out_port<10> angle_o{"angle_o"};  // 1024 to the turn, or focal length in pixels
+  // ray_stepper
+  in_port<DrPortBits> dr2_y_i{"dr2_y_i"};  // signed
+  // Choices of the frame
+  out_port<FrameBits> frame_o{"frame_o"};
+  out_port<6> scene_flags_o{"scene_flags_o"};  // scene_flag bits
+  out_port<2> palette_o{"palette_o"};          // 0..2
+  out_port<1> shading_b_o{"shading_b_o"};      // dithered shading
+  out_port<1> scene_interlace_o{"scene_interlace_o"};
+  out_port<1> lock_o{"lock_o"};        // ray pattern instead of rooms
+  out_port<1> inverse_o{"inverse_o"};  // swap colour indices 2 and 3
+  // navigator
+  out_port<9> start_y_o{"start_y_o"};        // signed
+  out_port<2> velocity_z_o{"velocity_z_o"};  // signed, per frame
+  out_port<1> nav_reset_o{"nav_reset_o"};
+
+  sequencer(const sc_core::sc_module_name& name, const knobs& k);
+
+  const sequencer_core& core() const { return core_; }
+  /// Puts the frame counter to `frame` as if it had counted there (back door, between clocks).
+  void deposit(int frame);
+
+ private:
+  void seq();
+  void comb();
+  void comb_angle();
+
+  const knobs knobs_;
+  sequencer_core core_;
+  sc_core::sc_event frame_changed_{"frame_changed"};
+  sc_core::sc_event_or_list lock_events_;
+  bool counting_ = false;
+};
+
+}  // namespace racebeam

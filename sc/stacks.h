@@ -1,0 +1,85 @@
+// stacks: what the tracer must remember to come back: intervals and faces.
+//
+// What    the interval stack is a ring of {tag, i2}: a push writes at sp, the top is the entry
+//         below; pushes beyond its size overwrite the oldest entries (subdivider counts the valid
+//         ones). The face stack has one word per room entered: bits face OR dom_prev, read at
+//         depth - 1; reads at depth 0 or above its size give 0, writes above its size are lost.
+// Size    4 x 17 bits and 9 x 2 bits, flip-flops.
+// Cycles  a write is read from the next clock on.
+// Comb    sp_i -> top_tag_o, top_i2_o; depth_i -> fread_o.
+// Stall   none.
+// Reset   none; 0 at power-up, never cleared (contract 18, item S).
+// Knobs   interval_stack_depth, face_stack_depth.
+// Twin    rtl/stacks.sv        Test  tests/stacks_test.cpp
+// Source  contract section 10; seed 000 "Stack underflow".
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/constants.h"
+#include "sc/knobs.h"
+#include "sc/unit.h"
+
+namespace racebeam {
+
+/// Behaviour of stacks.
+struct stacks_core {
+  static constexpr int MaxIntervals = 64, MaxFaces = 16;
+  struct entry {
+    int tag, i2;
+  };
+  entry intervals_q[MaxIntervals]{};
+  int faces_q[MaxFaces]{};
+
+  struct inputs {
+    bool push;
+    int tag, i2, sp;
+    bool face_write;
+    int face, depth;
+  };
+
+  const entry& top(int sp, const knobs& k) const {
+    return intervals_q[sp == 0 ? k.interval_stack_depth - 1 : sp - 1];
+  }
+  int face(int depth, const knobs& k) const {
+    return depth >= 1 && depth <= k.face_stack_depth ? faces_q[depth - 1] : 0;
+  }
+  void clock(const inputs& in, const knobs& k) {
+    if (in.push) intervals_q[in.sp] = {in.tag, in.i2};
+    if (in.face_write && in.depth < k.face_stack_depth) faces_q[in.depth] = in.face;
+  }
+};
+
+/// Pins of stacks.
+class stacks : public sc_core::sc_module {
+ public:
+  // Clock
+  in_port<1> clk_i{"clk_i"};
+  // Interval stack: subdivider pushes {tag, i2}
+  in_port<1> push_en_i{"push_en_i"};
+  in_port<TagBits> tag_i{"tag_i"};  // {depth, level}
+  in_port<PixelBits> i2_i{"i2_i"};
+  in_port<StackPointerPortBits> sp_i{"sp_i"};
+  out_port<TagBits> top_tag_o{"top_tag_o"};
+  out_port<PixelBits> top_i2_o{"top_i2_o"};
+  // Face stack: decision_datapath; its address is the depth in tag_i
+  in_port<1> fwrite_i{"fwrite_i"};
+  in_port<2> fdata_i{"fdata_i"};
+  out_port<2> fread_o{"fread_o"};
+
+  stacks(const sc_core::sc_module_name& name, const knobs& k);
+
+  const stacks_core& core() const { return core_; }
+
+ private:
+  void seq();
+  void comb();
+
+  const knobs knobs_;
+  stacks_core core_;
+  sc_core::sc_event written_{"written"};
+  bool writing_ = false;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,157 @@
+// subdivider: traces a scan line as intervals of pixels through the decision tree.
+//
+// What    LEFT decides at pixel i1, RIGHT at i2. If both ends agree the whole interval descends;
+//         otherwise BISECT finds the switching pixel, the right part is pushed on the stack and
+//         the left part descends. A wall hit is offered to the FIFO and RETURN climbs to the
+//         youngest stacked interval. With an empty stack the tracer restarts at the top of the
+//         tree with i1 = first pixel not emitted, i2 = 639. When the beam starves, short intervals
+//         are given up (hurry). After the interval that ends at 639, emit stays 0 but the tracer
+//         runs on.
+// Size    64 register bits. Pixels are 10 bits and wrap.
+// Cycles  one decision a clock and end; bisection of width w about log2(w); a return at least 2.
+// Comb    wall_i, starving_i -> emit_o; and with dec_i, mask_i, second_i, tag_i, top_tag_i,
+//         top_i2_i, ack_i, lock_i, consume_i, tracer_reset_i -> step_o, neg_o, step_size_o,
+//         copy_sub_o, push_en_o, descend_o, climb_o, cur_o, restart_o. state_o, i2_o, idx2_o,
+//         len_m1_o, signs_o, sp_o, sd_o, line_done_o: registers only.
+// Stall   holds in RETURN while an offer is not accepted; in LEFT while second_i.
+// Reset   tracer_reset_i: LEFT, i1 = 0, i2 = i2_init_i, stack empty; idx2 is camera_unit's.
+// Knobs   interval_stack_depth, hurry_threshold, bisection.
+// Twin    rtl/subdivider.sv        Test  tests/subdivider_test.cpp
+// Source  contract section 9; seed 000 "Subdivision" and "Stepping the dr vector".
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/constants.h"
+#include "sc/knobs.h"
+#include "sc/unit.h"
+
+namespace racebeam {
+
+enum subdivider_state { StateLeft = 0, StateRight = 1, StateBisect = 2, StateReturn = 3 };
+
+/// Pixels of the step for a doubled distance `n` (contract 9.5): the power of two closest to n / 2,
+/// ties up when n >= 0, down when n < 0; 1 where the distance is 0.
+inline int closest_power_of_two(int n) {
+  const int v = n < 0 ? -n - 1 : n;
+  if (v < 3) return 1;
+  const int top = 31 - __builtin_clz(v);
+  return 1 << (top - 1 + (v >> (top - 1) & 1));
+}
+
+/// Behaviour of subdivider.
+struct subdivider_core {
+  int state_q = StateLeft;
+  int i1_q = 0, i2_q = 0;
+  int lo_q = 0, hi_q = 0;  // bisection bounds
+  int idx2_q = 0;          // pixel of dr2
+  int d1_q = 0;            // decision at the left end: {signs, bit}
+  bool emit_done_q = false;
+  bool was_return_q = false;
+  bool line_done_q = false;
+  int sp_q = 0, sd_q = 0;  // interval stack: next free place, valid entries
+
+  struct inputs {
+    bool tracer_reset, idx_load;
+    int idx_start, i2_init;
+    int dec, mask;  // {sign z, y, x, bit} of the selected end; bits that count
+    bool wall, second;
+    int tag;  // {depth, level}
+    bool starving, ack;
+    int top_tag, top_i2;
+    bool lock, consume;
+  };
+
+  /// The interval on offer to the FIFO is i1..i2.
+  bool emit(const inputs& in, const knobs& k) const {
+    return returning(in, k) && !emit_done_q && !line_done_q;
+  }
+  int len_m1() const { return (i2_q - i1_q) & 1023; }
+  int signs() const { return d1_q >> 1; }
+
+  /// What happens in this clock; `inputs::ack` must answer emit().
+  struct outputs {
+    bool step, neg;
+    int step_size;
+    bool copy_sub, push, descend, climb, restart;
+    int cur;  // decision to descend with
+    bool advance, returning;
+    int next_state, next_i2, next_lo, next_hi;
+  };
+  outputs comb(const inputs& in, const knobs& k) const;
+  void clock(const inputs& in, const outputs& o, const knobs& k);
+
+ private:
+  bool hit(const inputs& in, const knobs& k) const {
+    const bool accept = state_q != StateReturn && idx2_q == i2_q && !emit_done_q;
+    return accept && (in.wall || (in.starving && len_m1() <= k.hurry_threshold));
+  }
+  bool returning(const inputs& in, const knobs& k) const {
+    return !in.tracer_reset && (state_q == StateReturn || hit(in, k));
+  }
+};
+
+/// Pins of subdivider.
+class subdivider : public sc_core::sc_module {
+ public:
+  // Clock; phase of the line
+  in_port<1> clk_i{"clk_i"};
+  in_port<1> tracer_reset_i{"tracer_reset_i"};
+  // camera_unit
+  in_port<1> idx_load_i{"idx_load_i"};
+  in_port<PixelBits> idx_start_i{"idx_start_i"};
+  in_port<PixelBits> i2_init_i{"i2_init_i"};
+  // decision_datapath: the decision
+  out_port<2> state_o{"state_o"};  // LEFT decides with dr1, all others with dr2
+  in_port<4> dec_i{"dec_i"};       // {sign z, sign y, sign x, bit}
+  in_port<4> mask_i{"mask_i"};     // bits of dec that count
+  in_port<1> wall_i{"wall_i"};
+  in_port<1> second_i{"second_i"};  // half way through a room change
+  in_port<TagBits> tag_i{"tag_i"};  // {depth, level}
+  // decision_datapath: the move
+  out_port<1> descend_o{"descend_o"};
+  out_port<1> climb_o{"climb_o"};
+  out_port<4> cur_o{"cur_o"};      // decision to descend with
+  out_port<3> signs_o{"signs_o"};  // stored ray signs, 1: negative
+  out_port<1> restart_o{"restart_o"};
+  // interval_fifo
+  out_port<1> emit_o{"emit_o"};              // interval i1..i2 on offer
+  out_port<PixelBits> len_m1_o{"len_m1_o"};  // i2 - i1
+  in_port<1> ack_i{"ack_i"};
+  in_port<1> starving_i{"starving_i"};
+  // ray_stepper
+  out_port<1> step_o{"step_o"};
+  out_port<1> neg_o{"neg_o"};
+  out_port<11> step_size_o{"step_size_o"};  // pixels
+  out_port<PixelBits> idx2_o{"idx2_o"};
+  out_port<1> copy_sub_o{"copy_sub_o"};
+  // stacks: the entry written is {tag, i2}
+  out_port<1> push_en_o{"push_en_o"};
+  out_port<PixelBits> i2_o{"i2_o"};
+  out_port<StackPointerPortBits> sp_o{"sp_o"};
+  out_port<StackCountPortBits> sd_o{"sd_o"};
+  in_port<TagBits> top_tag_i{"top_tag_i"};
+  in_port<PixelBits> top_i2_i{"top_i2_i"};
+  // Lock effect
+  in_port<1> lock_i{"lock_i"};
+  in_port<1> consume_i{"consume_i"};
+  // Line
+  out_port<1> line_done_o{"line_done_o"};  // the interval ending at 639 was accepted
+
+  subdivider(const sc_core::sc_module_name& name, const knobs& k);
+
+  const subdivider_core& core() const { return core_; }
+
+ private:
+  void seq();
+  void comb();
+
+  const knobs knobs_;
+  subdivider_core core_;
+  subdivider_core::inputs in_{};
+  subdivider_core::outputs out_{};
+  sc_core::sc_event moved_{"moved"};
+};
+
+}  // namespace racebeam

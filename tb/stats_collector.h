@@ -1,0 +1,29 @@
+// Counts a frame's events from the chip's wires, one settled clock at a time.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/chip_view.h"
+#include "tb/frame_stats.h"
+
+namespace racebeam {
+
+class StatsCollector {
+ public:
+  /// One clock, in order, from the first clock of a line on.
+  void observe(const chip_view& v);
+  /// The counters since the last call.
+  FrameStats take();
+
+ private:
+  void observe_tracer(const chip_view& v);
+
+  FrameStats stats_;
+  int line_clock_ = 0;
+  bool visible_ = false;
+  bool was_returning_ = false;
+  int camera_clock_ = -1, first_emit_ = -1, done_clock_ = -1, busy_ = 0;
+};
+
+}  // namespace racebeam
