@@ -1,0 +1,124 @@
+// chip: all units wired with signals under one clock; the `signal` level.
+//
+// The wiring has no arithmetic: a wire carries the name of the port that drives it, without its
+// suffix. Instances are named u_<unit>, as in rtl/racebeam_top.sv.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/camera_unit.h"
+#include "sc/chip_view.h"
+#include "sc/decision_datapath.h"
+#include "sc/interval_fifo.h"
+#include "sc/navigator.h"
+#include "sc/pixel_output.h"
+#include "sc/pwm_sound.h"
+#include "sc/ray_stepper.h"
+#include "sc/scene.h"
+#include "sc/sequencer.h"
+#include "sc/stacks.h"
+#include "sc/subdivider.h"
+#include "sc/vga_timing.h"
+
+namespace racebeam {
+
+class chip : public sc_core::sc_module {
+ public:
+  // Pins
+  in_port<1> clk_i{"clk_i"};
+  in_port<1> rst_ni{"rst_ni"};
+  in_port<3> speed_i{"speed_i"};
+  in_port<1> no_interlace_i{"no_interlace_i"};
+  out_port<8> uo_o{"uo_o"};  // {hsync, B0, G0, R0, vsync, B1, G1, R1}
+  out_port<1> pwm_o{"pwm_o"};
+
+  chip(const sc_core::sc_module_name& name, const knobs& k);
+
+  /// The wires of the present clock, settled if called at its end.
+  chip_view view() const;
+  /// Puts the demo to the start of `frame` (back door; in the first clock of a frame).
+  void deposit(int to);
+
+  // vga_timing
+  wire<11> x2{"x2"};
+  wire<10> y{"y"};
+  wire<1> hsync_n{"hsync_n"}, vsync_n{"vsync_n"}, active{"active"}, h_active{"h_active"};
+  wire<1> consume{"consume"}, line_end{"line_end"}, active_start{"active_start"};
+  wire<1> frame_end{"frame_end"}, nav_line{"nav_line"};
+  // sequencer
+  wire<10> angle{"angle"};
+  wire<FrameBits> frame{"frame"};
+  wire<6> scene_flags{"scene_flags"};
+  wire<2> palette{"palette"};
+  wire<1> shading_b{"shading_b"}, scene_interlace{"scene_interlace"}, lock{"lock"};
+  wire<1> inverse{"inverse"}, nav_reset{"nav_reset"};
+  wire<9> start_y{"start_y"};
+  wire<2> velocity_z{"velocity_z"};
+  // camera_unit
+  wire<2> src{"src"};
+  wire<1> run{"run"}, tracer_reset{"tracer_reset"};
+  wire<1> load{"load"}, load_zero{"load_zero"}, ext{"ext"}, copy{"copy"}, idx_load{"idx_load"};
+  wire<3> ext_sign{"ext_sign"}, axis_mask{"axis_mask"};
+  axes_wire<DdrPortBits> delta{"delta"};
+  wire<PixelBits> idx_start{"idx_start"}, i2_init{"i2_init"};
+  // ray_stepper
+  axes_wire<DrPortBits> dr1{"dr1"}, dr2{"dr2"};
+  // subdivider
+  wire<2> state{"state"};
+  wire<1> descend{"descend"}, climb{"climb"}, restart{"restart"}, emit{"emit"};
+  wire<4> cur{"cur"};
+  wire<3> ray_signs{"ray_signs"};
+  wire<PixelBits> len_m1{"len_m1"}, idx2{"idx2"}, i2{"i2"};
+  wire<1> step{"step"}, neg{"neg"}, copy_sub{"copy_sub"}, push_en{"push_en"};
+  wire<11> step_size{"step_size"};
+  wire<StackPointerPortBits> sp{"sp"};
+  wire<StackCountPortBits> sd{"sd"};
+  wire<1> line_done{"line_done"};
+  // stacks
+  wire<TagBits> top_tag{"top_tag"};
+  wire<PixelBits> top_i2{"top_i2"};
+  wire<2> fread{"fread"};
+  // decision_datapath
+  wire<4> dec{"dec"}, mask{"mask"};
+  wire<TagBits> tag{"tag"};
+  wire<1> wall{"wall"}, second{"second"}, fwrite{"fwrite"};
+  wire<2> fdata{"fdata"}, axis{"axis"}, hit_face{"hit_face"};
+  wire<RoomBits> room{"room"};
+  wire<3> look_signs{"look_signs"};
+  axes_wire<CornerBits> corner{"corner"};
+  // scene
+  axes_wire<CornerBits> half_size{"half_size"}, position{"position"};
+  wire<RoomBits> neighbour{"neighbour"};
+  // navigator
+  axes_wire<NavigatorBits> nav_position{"nav_position"};
+  wire<RoomBits> nav_room{"nav_room"};
+  wire<2> nav_axis{"nav_axis"};
+  wire<1> nav_negative{"nav_negative"}, nav_move{"nav_move"};
+  wire<3> nav_op{"nav_op"};
+  // interval_fifo, pixel_output
+  wire<1> ack{"ack"}, starving{"starving"};
+  wire<2> display{"display"}, value{"value"};
+  wire<7> fill{"fill"};
+
+  // Units
+  vga_timing u_vga_timing;
+  sequencer u_sequencer;
+  camera_unit u_camera_unit;
+  ray_stepper u_ray_stepper;
+  subdivider u_subdivider;
+  stacks u_stacks;
+  decision_datapath u_decision_datapath;
+  scene u_scene{"u_scene"};
+  navigator u_navigator;
+  interval_fifo u_interval_fifo;
+  pixel_output u_pixel_output;
+  pwm_sound u_pwm_sound;
+
+ private:
+  void bind_raster_and_camera();
+  void bind_tracer();
+  void bind_output();
+};
+
+}  // namespace racebeam

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signal_bench.h"
+
+#include <utility>
+
+#include "sc/chip.h"
+#include "tb/pin_probe.h"
+#include "tb/stats_collector.h"
+
+namespace racebeam {
+
+namespace {
+
+// The clock in whole picoseconds: 19841 ps at 50.4 MHz.
+sc_core::sc_time clock_period(const knobs& k) {
+  return {static_cast<double>(static_cast<int>(1e12 / (PixelClockHz * k.clocks_per_pixel))),
+          sc_core::SC_PS};
+}
+
+/// Looks at the settled wires of every clock, at the edge that ends it.
+class StatsProbe : public sc_core::sc_module {
+ public:
+  in_port<1> clk_i{"clk_i"};
+
+  StatsProbe(const sc_core::sc_module_name& name, const chip& dut) : sc_module(name), dut_(dut) {
+    SC_HAS_PROCESS(StatsProbe);
+    SC_METHOD(sample);
+    sensitive << clk_i.pos();
+    dont_initialize();
+  }
+  FrameStats take() { return collector_.take(); }
+
+ private:
+  void sample() {
+    if (std::exchange(in_reset_, false)) return;
+    collector_.observe(dut_.view());
+  }
+
+  const chip& dut_;
+  StatsCollector collector_;
+  bool in_reset_ = true;  // the first edge
+};
+
+}  // namespace
+
+struct SignalBench::Platform {
+  const Options options;
+  const sc_core::sc_time period;
+  const Raster raster;
+  sc_core::sc_clock clk;
+  wire<1> rst_n{"rst_n"}, no_interlace{"no_interlace"}, pwm{"pwm"};
+  wire<3> speed{"speed"};
+  wire<8> uo{"uo"};
+  chip dut;
+  VgaFrame picture;
+  VgaMonitor vga;
+  std::unique_ptr<SoundMonitor> sound;
+  PinProbe pins;
+  std::unique_ptr<StatsProbe> stats;
+  int next_frame = 0;
+  std::uint64_t clocks = 0;
+
+  explicit Platform(const Options& o)
+      : options(o),
+        period(clock_period(o.k)),
+        raster(o.k.clocks_per_pixel, o.k.speed),
+        clk("clk", period),
+        dut("chip", o.k),
+        vga(raster, [this](const VgaFrame& f) { picture = f; }, {o.crc, o.crc}),
+        sound(o.sound ? new SoundMonitor : nullptr),
+        pins("pins", sc_core::SC_ZERO_TIME, period, &vga, sound.get()),
+        stats(o.stats ? new StatsProbe("stats", dut) : nullptr) {
+    dut.clk_i(clk);
+    dut.rst_ni(rst_n);
+    dut.speed_i(speed);
+    dut.no_interlace_i(no_interlace);
+    dut.uo_o(uo);
+    dut.pwm_o(pwm);
+    pins.uo_i(uo);
+    pins.pwm_i(pwm);
+    if (stats) stats->clk_i(clk);
+
+    // One edge in reset; then we stand inside the first clock of frame 0, and after each frame
+    // inside the first clock of the next.
+    sc_core::sc_start(period / 4);
+    speed.write(o.k.speed);
+    no_interlace.write(!o.k.interlace);
+    rst_n.write(true);
+  }
+};
+
+SignalBench::SignalBench(const Options& options) : platform_(new Platform(options)) {}
+SignalBench::~SignalBench() = default;
+
+void SignalBench::seek(int frame) {
+  if (frame == platform_->next_frame) return;
+  platform_->dut.deposit(frame);
+  platform_->next_frame = frame;
+}
+
+SignalBench::Frame SignalBench::render() {
+  Platform& p = *platform_;
+  sc_core::sc_start(p.raster.frame_clocks() * p.period);
+  p.clocks += p.raster.frame_clocks();
+  p.pins.advance();
+  Frame frame{p.next_frame, p.picture, {}};
+  if (p.stats) frame.stats = p.stats->take();
+  p.next_frame = (p.next_frame + 1) % DemoFrames;
+  return frame;
+}
+
+std::uint64_t SignalBench::clocks() const { return platform_->clocks; }
+const SoundMonitor* SignalBench::sound() const { return platform_->sound.get(); }
+
+}  // namespace racebeam

@@ -1,0 +1,51 @@
+// The `signal` level on the bench: the SystemC chip between a clock, its input pins and monitors.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "sc/knobs.h"
+#include "tb/frame_stats.h"
+#include "tb/sound_monitor.h"
+#include "tb/vga_monitor.h"
+
+namespace racebeam {
+
+/// One simulation of the demo, frame by frame. SystemC elaborates once: one bench per process.
+class SignalBench {
+ public:
+  struct Options {
+    knobs k;
+    bool stats = false;  ///< collect FrameStats
+    bool crc = false;    ///< compute the CRCs of VgaFrame
+    bool sound = false;  ///< listen to the PWM pin
+  };
+  struct Frame {
+    int number;  ///< value of the frame counter while its lines are shown
+    VgaFrame picture;
+    std::optional<FrameStats> stats;
+  };
+
+  explicit SignalBench(const Options& options);
+  ~SignalBench();
+
+  /// The next frame to render, 0..12798; 0 after construction. Nothing between is simulated: only
+  /// the frame counter and the navigator carry state from frame to frame.
+  void seek(int frame);
+  /// Simulates one frame; the next is the following one. Throws SyncError.
+  Frame render();
+  /// Clocks simulated so far.
+  std::uint64_t clocks() const;
+  /// What the PWM pin played so far; nullptr if not asked for.
+  const SoundMonitor* sound() const;
+
+ private:
+  struct Platform;
+  std::unique_ptr<Platform> platform_;
+};
+
+}  // namespace racebeam
