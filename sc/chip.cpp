@@ -141,6 +141,7 @@ void chip::bind_tracer() {
     u.descend_o(descend);
     u.climb_o(climb);
     u.cur_o(cur);
+    u.leave_o(leave);
     u.signs_o(ray_signs);
     u.restart_o(restart);
     u.emit_o(emit);
@@ -203,6 +204,7 @@ void chip::bind_tracer() {
     u.descend_i(descend);
     u.climb_i(climb);
     u.cur_i(cur);
+    u.leave_i(leave);
     u.ray_signs_i(ray_signs);
     u.restart_i(restart);
     u.top_tag_i(top_tag);

@@ -68,6 +68,7 @@ class chip : public sc_core::sc_module {
   wire<2> state{"state"};
   wire<1> descend{"descend"}, climb{"climb"}, restart{"restart"}, emit{"emit"};
   wire<4> cur{"cur"};
+  wire<2> leave{"leave"};
   wire<3> ray_signs{"ray_signs"};
   wire<PixelBits> len_m1{"len_m1"}, idx2{"idx2"}, i2{"i2"};
   wire<1> step{"step"}, neg{"neg"}, copy_sub{"copy_sub"}, push_en{"push_en"};

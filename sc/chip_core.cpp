@@ -71,6 +71,7 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   place.climb = move.climb;
   place.in_return = subdivider.state_q == StateReturn;
   place.cur = move.cur;
+  place.leave = move.leave;
   place.signs = subdivider.signs();
   place.top_tag = top.tag;
   place.face_read = stacks.face(decision_datapath.depth_q, k);

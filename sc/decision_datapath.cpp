@@ -201,7 +201,8 @@ decision_datapath::decision_datapath(const sc_core::sc_module_name& name, const 
   SC_METHOD(decide);
   sensitive << moved_ << state_i << dr1_i.x << dr1_i.y << dr1_i.z << dr2_i.x << dr2_i.y << dr2_i.z;
   SC_METHOD(lookup);
-  sensitive << moved_ << descend_i << nav_line_i << nav_axis_i << nav_negative_i << neighbour_i;
+  sensitive << face_moved_ << leave_i << climb_i << ray_signs_i << nav_line_i << nav_axis_i
+            << nav_negative_i << neighbour_i;
 }
 
 decision_datapath_core::inputs decision_datapath::inputs() const {
@@ -221,6 +222,7 @@ decision_datapath_core::inputs decision_datapath::inputs() const {
   in.climb = climb_i.value();
   in.in_return = state_i.value() == StateReturn;
   in.cur = cur_i.value();
+  in.leave = leave_i.value();
   in.signs = ray_signs_i.value();
   in.top_tag = top_tag_i.value();
   in.face_read = fread_i.value();
@@ -236,6 +238,8 @@ void decision_datapath::seq() {
   const bool idle = !descend_i.value() && !climb_i.value() && !core_.second_q && !core_.descend_q &&
                     !core_.wall_q;
   if (idle && !tracer_reset_i.value() && !restart_i.value() && !nav_line_i.value()) return;
+  const int face = core_.face_q;
+  const bool dom = core_.dom_q;
   core_.clock(inputs(), knobs_);
   mask_o.drive(core_.mask());
   tag_o.drive(core_.tag());
@@ -244,7 +248,9 @@ void decision_datapath::seq() {
   room_o.drive(core_.room_q);
   corner_o.drive(core_.corner_q);
   hit_face_o.drive(core_.hit_face_q);
+  fdata_o.drive(core_.face_code());
   moved_.notify(sc_core::SC_ZERO_TIME);
+  if (core_.face_q != face || core_.dom_q != dom) face_moved_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void decision_datapath::decide() {
@@ -253,20 +259,17 @@ void decision_datapath::decide() {
 }
 
 void decision_datapath::lookup() {
-  const auto in = inputs();
+  decision_datapath_core::inputs in{};
+  in.nav_line = nav_line_i.value();
+  in.nav_axis = nav_axis_i.value();
+  in.nav_negative = nav_negative_i.value();
+  in.climb = climb_i.value();
+  in.leave = leave_i.value();
+  in.signs = ray_signs_i.value();
+  in.neighbour = neighbour_i.value();
   axis_o.drive(core_.lookup_axis(in));
   signs_o.drive(core_.lookup_signs(in));
   fwrite_o.drive(core_.face_write(in));
-  fdata_o.drive(core_.face_code());
-  // The decision itself chooses the face at level 7 only.
-  if (core_.level_q == 7) {
-    if (face_events_.size() == 0)
-      face_events_ = moved_ | descend_i->value_changed_event() | cur_i->value_changed_event() |
-                     ray_signs_i->value_changed_event() | nav_line_i->value_changed_event() |
-                     nav_axis_i->value_changed_event() | nav_negative_i->value_changed_event() |
-                     neighbour_i->value_changed_event();
-    next_trigger(face_events_);
-  }
 }
 
 }  // namespace racebeam

@@ -9,8 +9,9 @@
 //         the face it is left by.
 // Size    61 register bits; corner 3 x 12 bits signed, wraps.
 // Cycles  one decision, one descent or one climb a clock; a room change takes two (second = 1).
-// Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; descend_i, climb_i, cur_i, signs_i, nav_* -> axis_o,
-//         signs_o, fwrite_o, fdata_o. mask_o, tag_o, wall_o, second_o, room_o, corner_*_o,
+// Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; leave_i, climb_i, ray_signs_i, neighbour_i, nav_*_i
+// ->
+//         axis_o, signs_o, fwrite_o. mask_o, tag_o, wall_o, second_o, room_o, corner_*_o,
 //         hit_face_o: registers only.
 // Stall   holds when nothing is asked.
 // Reset   tracer_reset_i, restart_i (not on the nav_line), active_start_i on the nav_line: the
@@ -64,6 +65,7 @@ struct decision_datapath_core {
     // subdivider
     bool descend, climb, in_return;
     int cur, signs;  // decision to descend with; stored ray signs
+    int leave;       // {descends at level 7, decision}
     // stacks
     int top_tag, face_read;
     // scene: the current room and its neighbour
@@ -78,33 +80,26 @@ struct decision_datapath_core {
   /// {sign z, sign y, sign x, bit} for a ray direction.
   int decide(const vec3& dr, const knobs& k) const;
 
-  /// What scene is asked for: face axis and, per axis, 1 for towards negative coordinates.
-  /// It follows the ray while the first half of a descent through a face is possible (level 7),
-  /// and looks back through the face the room was entered by otherwise.
+  /// What scene is asked for: face axis and, per axis, 1 for towards negative coordinates. A climb
+  /// looks back through the face the room was entered by, else the lookup follows the ray.
   int lookup_axis(const inputs& in) const {
-    if (in.nav_line) return in.nav_axis;
-    return leaves_by_new_face(in) ? new_face(in.cur) : face_q;
+    return in.nav_line ? in.nav_axis : in.climb ? face_q : new_face(in.leave);
   }
   int lookup_signs(const inputs& in) const {
-    if (in.nav_line) return in.nav_negative ? 7 : 0;
-    return leaves_by_new_face(in) ? in.signs : ~in.signs & 7;
+    return in.nav_line ? (in.nav_negative ? 7 : 0) : in.climb ? ~in.signs & 7 : in.signs;
   }
   /// A room is entered: the face stack is written at this depth.
-  bool face_write(const inputs& in) const { return enters_room(in) && in.neighbour != SolidRoom; }
+  bool face_write(const inputs& in) const { return in.leave && in.neighbour != SolidRoom; }
   int face_code() const { return face_q | dom_prev_q; }
 
   void clock(const inputs& in, const knobs& k);
 
  private:
-  int new_face(int cur) const {
-    const bool bit = cur & 1;
+  int new_face(int decision) const {
+    const bool bit = decision & 1;
     return dom_q ? (bit ? 2 : 1) : (bit ? 0 : 2);
   }
   bool go_down(const inputs& in) const { return in.descend || (second_q && descend_q); }
-  bool leaves_by_new_face(const inputs& in) const {
-    return in.descend && level_q == 7 && !second_q;
-  }
-  bool enters_room(const inputs& in) const { return go_down(in) && level_q == 7 && !second_q; }
   /// Position of the room in the mirrored world.
   static int mirrored_position(int a, const inputs& in) {
     return bit_of(in.signs, a) ? -in.position[a] : in.position[a];
@@ -166,6 +161,7 @@ class decision_datapath : public sc_core::sc_module {
   in_port<1> descend_i{"descend_i"};
   in_port<1> climb_i{"climb_i"};
   in_port<4> cur_i{"cur_i"};
+  in_port<2> leave_i{"leave_i"};          // {descends at level 7, decision}
   in_port<3> ray_signs_i{"ray_signs_i"};  // 1: negative
   in_port<1> restart_i{"restart_i"};
   // stacks
@@ -195,8 +191,7 @@ class decision_datapath : public sc_core::sc_module {
 
   const knobs knobs_;
   decision_datapath_core core_;
-  sc_core::sc_event moved_{"moved"};
-  sc_core::sc_event_or_list face_events_;
+  sc_core::sc_event moved_{"moved"}, face_moved_{"face_moved"};
 };
 
 }  // namespace racebeam

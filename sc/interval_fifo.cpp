@@ -11,7 +11,7 @@ interval_fifo::interval_fifo(const sc_core::sc_module_name& name, const knobs& k
   sensitive << clk_i.pos();
   dont_initialize();
   SC_METHOD(comb);
-  sensitive << emit_i << len_m1_i << value_i << consume_i;
+  sensitive << emit_i;
 }
 
 interval_fifo_core::inputs interval_fifo::inputs() const {
@@ -20,13 +20,24 @@ interval_fifo_core::inputs interval_fifo::inputs() const {
 }
 
 void interval_fifo::seq() {
-  core_.clock(inputs(), knobs_);
+  const auto in = inputs();
+  if (core_.idle(in, knobs_)) return;
+  core_.clock(in, knobs_);
   starving_o.drive(core_.starving(knobs_));
   display_o.drive(core_.display(knobs_));
   fill_o.drive(core_.fill(knobs_));
-  if (emit_i.value()) comb();
+  ack_o.drive(core_.ack(in, knobs_));  // again when the offer or the beam changes
 }
 
-void interval_fifo::comb() { ack_o.drive(core_.ack(inputs(), knobs_)); }
+// Without an offer there is no answer, and nothing else to listen to.
+void interval_fifo::comb() {
+  ack_o.drive(core_.ack(inputs(), knobs_));
+  if (emit_i.value()) {
+    if (offer_events_.size() == 0)
+      offer_events_ = emit_i->value_changed_event() | len_m1_i->value_changed_event() |
+                      value_i->value_changed_event() | consume_i->value_changed_event();
+    next_trigger(offer_events_);
+  }
+}
 
 }  // namespace racebeam

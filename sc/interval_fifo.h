@@ -50,6 +50,11 @@ struct interval_fifo_core {
   /// Entries in use, 1..fifo_entries.
   int fill(const knobs& k) const { return queue_size(k) + 2 - tail_ptr_q; }
 
+  /// A clock with these inputs changes nothing.
+  bool idle(const inputs& in, const knobs& k) const {
+    return !in.tracer_reset && !in.consume && !in.emit &&
+           (head_len_q < 1 << k.fifo_short_length_bits || tail_ptr_q == 0);
+  }
   /// Offer accepted in this clock.
   bool ack(const inputs& in, const knobs& k) const {
     const auto m = move(in, k);
@@ -138,6 +143,7 @@ class interval_fifo : public sc_core::sc_module {
 
   const knobs knobs_;
   interval_fifo_core core_;
+  sc_core::sc_event_or_list offer_events_;
 };
 
 }  // namespace racebeam

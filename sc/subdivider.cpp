@@ -16,7 +16,6 @@ subdivider_core::outputs subdivider_core::comb(const inputs& in, const knobs& k)
   const bool enable = !need_climb && !in.second && !pending;
   o.restart = sd_q == 0 && state_q == StateReturn && o.returning && !pending;
   o.advance = (enable && !hit_now) || o.restart;
-  o.cur = state_q == StateLeft ? in.dec : d1_q;
   o.copy_sub = false;
 
   // Moves A to E of contract 9.4.
@@ -83,6 +82,8 @@ subdivider_core::outputs subdivider_core::comb(const inputs& in, const knobs& k)
   }
   o.push = push && o.advance;
   o.descend = o.advance && want_descend && !o.returning;
+  o.cur = !o.descend ? 0 : state_q == StateLeft ? in.dec : d1_q;
+  o.leave = o.descend && (in.tag & low_bits(LevelBits)) == 7 ? 2 | (o.cur & 1) : 0;
   return o;
 }
 
@@ -138,8 +139,8 @@ subdivider::subdivider(const sc_core::sc_module_name& name, const knobs& k)
   sensitive << clk_i.pos();
   dont_initialize();
   SC_METHOD(comb);
-  sensitive << moved_ << tracer_reset_i << dec_i << mask_i << wall_i << second_i << tag_i
-            << starving_i << ack_i << top_tag_i << top_i2_i << lock_i << consume_i;
+  sensitive << tracer_reset_i << dec_i << mask_i << wall_i << second_i << tag_i << starving_i
+            << ack_i << top_tag_i << top_i2_i << lock_i;
 }
 
 void subdivider::seq() {
@@ -155,10 +156,10 @@ void subdivider::seq() {
   sp_o.drive(core_.sp_q);
   sd_o.drive(core_.sd_q);
   line_done_o.drive(core_.line_done_q);
-  moved_.notify(sc_core::SC_ZERO_TIME);
+  drive();  // with the inputs of before the edge; again when one of them changes
 }
 
-void subdivider::comb() {
+void subdivider::drive() {
   in_.tracer_reset = tracer_reset_i.value();
   in_.dec = dec_i.value();
   in_.mask = mask_i.value();
@@ -181,7 +182,22 @@ void subdivider::comb() {
   descend_o.drive(out_.descend);
   climb_o.drive(out_.climb);
   cur_o.drive(out_.cur);
+  leave_o.drive(out_.leave);
   restart_o.drive(out_.restart);
+}
+
+void subdivider::comb() {
+  drive();
+  if (!in_.lock) return;
+  // The beam's clock matters only while it drives the steps.
+  if (lock_events_.size() == 0)
+    lock_events_ = consume_i->value_changed_event() | tracer_reset_i->value_changed_event() |
+                   dec_i->value_changed_event() | mask_i->value_changed_event() |
+                   wall_i->value_changed_event() | second_i->value_changed_event() |
+                   tag_i->value_changed_event() | starving_i->value_changed_event() |
+                   ack_i->value_changed_event() | top_tag_i->value_changed_event() |
+                   top_i2_i->value_changed_event() | lock_i->value_changed_event();
+  next_trigger(lock_events_);
 }
 
 }  // namespace racebeam

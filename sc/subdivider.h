@@ -11,8 +11,8 @@
 // Cycles  one decision a clock and end; bisection of width w about log2(w); a return at least 2.
 // Comb    wall_i, starving_i -> emit_o; and with dec_i, mask_i, second_i, tag_i, top_tag_i,
 //         top_i2_i, ack_i, lock_i, consume_i, tracer_reset_i -> step_o, neg_o, step_size_o,
-//         copy_sub_o, push_en_o, descend_o, climb_o, cur_o, restart_o. state_o, i2_o, idx2_o,
-//         len_m1_o, signs_o, sp_o, sd_o, line_done_o: registers only.
+//         copy_sub_o, push_en_o, descend_o, climb_o, cur_o, leave_o, restart_o. state_o, i2_o,
+//         idx2_o, len_m1_o, signs_o, sp_o, sd_o, line_done_o: registers only.
 // Stall   holds in RETURN while an offer is not accepted; in LEFT while second_i.
 // Reset   tracer_reset_i: LEFT, i1 = 0, i2 = i2_init_i, stack empty; idx2 is camera_unit's.
 // Knobs   interval_stack_depth, hurry_threshold, bisection.
@@ -75,7 +75,8 @@ struct subdivider_core {
     bool step, neg;
     int step_size;
     bool copy_sub, push, descend, climb, restart;
-    int cur;  // decision to descend with
+    int cur;    // decision to descend with; 0 otherwise
+    int leave;  // {descends at level 7, decision}; 0 otherwise
     bool advance, returning;
     int next_state, next_i2, next_lo, next_hi;
   };
@@ -112,7 +113,8 @@ class subdivider : public sc_core::sc_module {
   // decision_datapath: the move
   out_port<1> descend_o{"descend_o"};
   out_port<1> climb_o{"climb_o"};
-  out_port<4> cur_o{"cur_o"};      // decision to descend with
+  out_port<4> cur_o{"cur_o"};      // decision to descend with; 0 otherwise
+  out_port<2> leave_o{"leave_o"};  // {descends at level 7, decision}; 0 otherwise
   out_port<3> signs_o{"signs_o"};  // stored ray signs, 1: negative
   out_port<1> restart_o{"restart_o"};
   // interval_fifo
@@ -146,12 +148,13 @@ class subdivider : public sc_core::sc_module {
  private:
   void seq();
   void comb();
+  void drive();
 
   const knobs knobs_;
   subdivider_core core_;
   subdivider_core::inputs in_{};
   subdivider_core::outputs out_{};
-  sc_core::sc_event moved_{"moved"};
+  sc_core::sc_event_or_list lock_events_;
 };
 
 }  // namespace racebeam
