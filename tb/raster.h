@@ -1,0 +1,46 @@
+// The raster of one line and one frame as a monitor expects it, for any pixel rate.
+//
+// It is computed from the numbers of the video mode alone and shares no code with vga_timing, so
+// that a monitor built on it checks vga_timing. Source: contract sections 5.1, 5.2, 5.6 and 6.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sc/constants.h"
+
+namespace racebeam {
+
+/// One clock of a line.
+struct RasterClock {
+  std::int16_t position;  ///< pixel, -480..319; visible columns are -320..319
+  bool last;              ///< last clock of that pixel: the one in which a monitor samples it
+  bool hsync;             ///< level of the hsync pin, 0 in the pulse
+};
+
+/// Every line of every frame has the same clocks; clock 0 is the first of the front porch.
+struct Raster {
+  /// `clocks_per_pixel` 1..8, `speed` the three speed pins 0..7. Throws std::invalid_argument.
+  explicit Raster(int clocks_per_pixel = 2, int speed = 0);
+
+  std::vector<RasterClock> clocks;  ///< one line
+  int sync_begin = 0;               ///< first clock of the hsync pulse
+  int sync_end = 0;                 ///< first clock after it; vsync changes in this clock
+  int active_begin = 0;             ///< first clock of the visible columns
+  std::vector<int> column_at;       ///< per clock, and one past: visible columns sampled before it
+
+  int line_clocks() const { return static_cast<int>(clocks.size()); }
+  int frame_clocks() const { return line_clocks() * FrameLines; }
+  bool visible_line(int y) const {
+    return y >= FirstVisibleLine && y < FirstVisibleLine + VisibleRows;
+  }
+  /// Level of the vsync pin of line `y` from clock sync_end on; before it the line above's counts.
+  bool vsync(int y) const { return y < FirstSyncLine; }
+
+  static constexpr int FirstSyncLine = 250;
+};
+
+}  // namespace racebeam
