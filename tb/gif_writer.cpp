@@ -10,36 +10,6 @@ namespace racebeam {
 namespace {
 
 constexpr int ColourBits = 6, Colours = 1 << ColourBits;
-constexpr int ClearCode = Colours, EndCode = Colours + 1, FirstCode = Colours + 2;
-constexpr int CodeLimit = 4096;
-
-/// Packs codes of growing width, low bit first, into blocks of up to 255 bytes.
-class CodePacker {
- public:
-  explicit CodePacker(std::vector<std::uint8_t>& out) : out_(out) {}
-
-  void put(int code, int width) {
-    bits_ |= static_cast<std::uint32_t>(code) << filled_;
-    for (filled_ += width; filled_ >= 8; filled_ -= 8, bits_ >>= 8) put_byte();
-  }
-  void finish() {
-    if (filled_ > 0) put_byte();
-    if (block_size_ > 0) out_[out_.size() - block_size_ - 1] = block_size_;
-    out_.push_back(0);
-  }
-
- private:
-  void put_byte() {
-    if (block_size_ == 0) out_.push_back(255);  // size of a full block; finish() corrects the last
-    out_.push_back(static_cast<std::uint8_t>(bits_));
-    if (++block_size_ == 255) block_size_ = 0;
-  }
-
-  std::vector<std::uint8_t>& out_;
-  std::uint32_t bits_ = 0;
-  int filled_ = 0;
-  std::uint8_t block_size_ = 0;
-};
 
 int checked(int value, int max, const char* name) {
   if (value < 1 || value > max) throw std::invalid_argument(std::string("GIF: bad ") + name);
@@ -64,21 +34,41 @@ GifWriter::GifWriter(const std::string& path, int width, int height, double fram
       delay_(delay_of(frames_per_second)),
       shown_(static_cast<std::size_t>(columns_) * rows_),
       next_(shown_.size()) {
-  for (const char c : {'G', 'I', 'F', '8', '9', 'a'}) bytes_.push_back(c);
-  put_16(columns_);
-  put_16(rows_);
-  bytes_.insert(bytes_.end(), {0x80 | (ColourBits - 1) << 4 | (ColourBits - 1), 0, 0});
-  for (int colour = 0; colour < Colours; ++colour)
-    for (const int shift : {4, 2, 0})
-      bytes_.push_back(static_cast<std::uint8_t>((colour >> shift & 3) * 85));
-  bytes_.insert(bytes_.end(), {0x21, 0xff, 11});  // extension: repeat for ever
-  for (const char c : {'N', 'E', 'T', 'S', 'C', 'A', 'P', 'E', '2', '.', '0'}) bytes_.push_back(c);
-  bytes_.insert(bytes_.end(), {3, 1, 0, 0, 0});
+  GifColorType palette[Colours];
+  for (int c = 0; c < Colours; ++c)
+    palette[c] = {static_cast<GifByteType>((c >> 4 & 3) * 85),
+                  static_cast<GifByteType>((c >> 2 & 3) * 85),
+                  static_cast<GifByteType>((c & 3) * 85)};
+  gif_.reset(EGifOpen(this, write_bytes, nullptr));
+  if (!gif_) throw OutputError(path, "giflib has no memory");
+  EGifSetGifVersion(gif_.get(), true);
+  ColorMapObject* map = GifMakeMapObject(Colours, palette);
+  const bool begun = EGifPutScreenDesc(gif_.get(), columns_, rows_, ColourBits, 0, map) == GIF_OK;
+  GifFreeMapObject(map);
+  check(begun);
+  const unsigned char for_ever[3] = {1, 0, 0};
+  check(EGifPutExtensionLeader(gif_.get(), APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
+        EGifPutExtensionBlock(gif_.get(), 11, "NETSCAPE2.0") == GIF_OK &&
+        EGifPutExtensionBlock(gif_.get(), sizeof for_ever, for_ever) == GIF_OK &&
+        EGifPutExtensionTrailer(gif_.get()) == GIF_OK);
 }
 
-void GifWriter::put_16(int value) {
-  bytes_.push_back(static_cast<std::uint8_t>(value & 255));
-  bytes_.push_back(static_cast<std::uint8_t>(value >> 8));
+// Called by giflib, a C library: nothing may be thrown through it.
+int GifWriter::write_bytes(GifFileType* gif, const GifByteType* data, int size) {
+  auto* self = static_cast<GifWriter*>(gif->UserData);
+  if (self->failure_) return 0;
+  try {
+    self->file_.write(data, static_cast<std::size_t>(size));
+    return size;
+  } catch (...) {
+    self->failure_ = std::current_exception();
+    return 0;
+  }
+}
+
+void GifWriter::check(bool good) {
+  if (failure_) std::rethrow_exception(failure_);
+  if (!good) throw OutputError(file_.path(), GifErrorString(gif_->Error));
 }
 
 void GifWriter::add(const std::vector<std::uint8_t>& colours) {
@@ -102,61 +92,25 @@ void GifWriter::add(const std::vector<std::uint8_t>& colours) {
     right = bottom = 1;
   }
   shown_.swap(next_);
-  put_image(left, top, right - left, bottom - top);
-  file_.write(bytes_.data(), bytes_.size());
-  bytes_.clear();
+
+  const GraphicsControlBlock control{DISPOSE_DO_NOT, false, delay_, NO_TRANSPARENT_COLOR};
+  GifByteType extension[4];
+  const auto size = EGifGCBToExtension(&control, extension);
+  check(EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, static_cast<int>(size), extension) ==
+            GIF_OK &&
+        EGifPutImageDesc(gif_.get(), left, top, right - left, bottom - top, false, nullptr) ==
+            GIF_OK);
+  for (int y = top; y < bottom; ++y)
+    check(EGifPutLine(gif_.get(), &shown_[static_cast<std::size_t>(y) * columns_ + left],
+                      right - left) == GIF_OK);
   ++frames_;
 }
 
-void GifWriter::put_image(int left, int top, int width, int height) {
-  bytes_.insert(bytes_.end(), {0x21, 0xf9, 4, 1 << 2});  // extension: keep the picture, delay
-  put_16(delay_);
-  bytes_.insert(bytes_.end(), {0, 0, 0x2c});
-  for (const int value : {left, top, width, height}) put_16(value);
-  bytes_.push_back(0);
-  put_codes(left, top, width, height);
-}
-
-/// LZW.
-void GifWriter::put_codes(int left, int top, int width, int height) {
-  bytes_.push_back(ColourBits);
-  CodePacker packer(bytes_);
-  int next = FirstCode, bits = ColourBits + 1;
-  const auto clear = [&] {
-    packer.put(ClearCode, bits);
-    longer_.assign(CodeLimit * Colours, 0);
-    next = FirstCode;
-    bits = ColourBits + 1;
-  };
-  clear();
-  int known = -1;  // code of the longest known string so far
-  for (int y = top; y < top + height; ++y)
-    for (int x = left; x < left + width; ++x) {
-      const int colour = shown_[static_cast<std::size_t>(y) * columns_ + x];
-      if (known < 0) {
-        known = colour;
-        continue;
-      }
-      std::uint16_t& code = longer_[known * Colours + colour];
-      if (code == 0) {
-        packer.put(known, bits);
-        if (next == 1 << bits) ++bits;
-        code = static_cast<std::uint16_t>(next);
-        known = colour;
-        if (++next == CodeLimit) clear();
-      } else {
-        known = code;
-      }
-    }
-  packer.put(known, bits);
-  if (next == 1 << bits) ++bits;  // the reader has counted this code too
-  packer.put(EndCode, bits);
-  packer.finish();
-}
-
 void GifWriter::close() {
-  bytes_.push_back(0x3b);
-  file_.write(bytes_.data(), bytes_.size());
+  int error = 0;
+  const bool good = EGifCloseFile(gif_.release(), &error) == GIF_OK;
+  if (failure_) std::rethrow_exception(failure_);
+  if (!good) throw OutputError(file_.path(), GifErrorString(error));
   file_.commit();
 }
 

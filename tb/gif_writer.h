@@ -2,13 +2,17 @@
 //
 // OpenImageIO's own GIF writer makes a palette of its own for each frame and dithers into it, which
 // changes pixels even in frames of two to four colours; it also has no way to turn that off, and
-// does not notice a full disk. A GIF of one fixed palette of 64 colours needs neither.
+// does not notice a full disk. giflib writes what it is given: one fixed palette of 64 colours.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gif_lib.h>
+
 #include <cstdint>
+#include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,18 +38,21 @@ class GifWriter {
   int frames() const { return frames_; }
 
  private:
-  void put_16(int value);
-  void put_image(int left, int top, int width, int height);
-  void put_codes(int left, int top, int width, int height);
+  static int write_bytes(GifFileType* gif, const GifByteType* data, int size);
+  /// Throws what write_bytes met, or giflib's own word.
+  void check(bool good);
 
   OutputFile file_;
+  std::exception_ptr failure_;
+  struct Closer {
+    void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
+  };
+  std::unique_ptr<GifFileType, Closer> gif_;
   const int width_, height_, downscale_;  // of the frames given
   const int columns_, rows_;              // of the file
   const int delay_;                       // 1/100 s
   int frames_ = 0;
   std::vector<std::uint8_t> shown_, next_;  // columns x rows
-  std::vector<std::uint8_t> bytes_;         // of a frame
-  std::vector<std::uint16_t> longer_;       // LZW: code of a string and one more colour, or 0
 };
 
 }  // namespace racebeam

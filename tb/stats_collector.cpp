@@ -17,11 +17,8 @@ void StatsCollector::observe(const chip_view& v) {
     ++stats_.fifo_fill[v.fill];
     if (v.run) {
       if (camera_clock_ < 0) camera_clock_ = line_clock_;
-      if (v.line_done) {
-        if (done_clock_ < 0) done_clock_ = line_clock_;
-      } else if (!v.line_end) {
-        observe_tracer(v);
-      }
+      if (!v.line_done && !v.line_end) observe_tracer(v);
+      if (v.line_done && !v.line_end && done_clock_ < 0) done_clock_ = line_clock_;
     }
   }
   ++line_clock_;
