@@ -199,7 +199,7 @@ decision_datapath::decision_datapath(const sc_core::sc_module_name& name, const 
   sensitive << clk_i.pos();
   dont_initialize();
   SC_METHOD(decide);
-  sensitive << moved_ << state_i << dr1_i.x << dr1_i.y << dr1_i.z << dr2_i.x << dr2_i.y << dr2_i.z;
+  sensitive << state_i << dr1_i.x << dr1_i.y << dr1_i.z << dr2_i.x << dr2_i.y << dr2_i.z;
   SC_METHOD(lookup);
   sensitive << face_moved_ << leave_i << climb_i << ray_signs_i << nav_line_i << nav_axis_i
             << nav_negative_i << neighbour_i;
@@ -249,7 +249,7 @@ void decision_datapath::seq() {
   corner_o.drive(core_.corner_q);
   hit_face_o.drive(core_.hit_face_q);
   fdata_o.drive(core_.face_code());
-  moved_.notify(sc_core::SC_ZERO_TIME);
+  decide();  // with the rays of before the edge; again when they change
   if (core_.face_q != face || core_.dom_q != dom) face_moved_.notify(sc_core::SC_ZERO_TIME);
 }
 

@@ -191,7 +191,7 @@ class decision_datapath : public sc_core::sc_module {
 
   const knobs knobs_;
   decision_datapath_core core_;
-  sc_core::sc_event moved_{"moved"}, face_moved_{"face_moved"};
+  sc_core::sc_event face_moved_{"face_moved"};
 };
 
 }  // namespace racebeam

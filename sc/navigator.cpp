@@ -61,7 +61,7 @@ void navigator_core::clock(const inputs& in) {
 navigator::navigator(const sc_core::sc_module_name& name, const knobs&) : sc_module(name) {
   SC_HAS_PROCESS(navigator);
   SC_METHOD(seq);
-  sensitive << rst_ni << nav_reset_i << active_start_i << start_y_i;
+  sensitive << rst_ni << nav_reset_i << nav_line_i << active_start_i << start_y_i;
   SC_METHOD(comb);
   sensitive << moved_ << nav_line_i;
 }

@@ -209,6 +209,7 @@ void pwm_sound_core::slot_clock(const inputs& in) {
     return;
   }
   const int slot = slot_of(in.x2);
+  if (slot < 0 || slot > Voices) return;  // x2 is outside of the line
   if (slot < Voices) {
     add_voice(in, slot);
   } else if ((in.x2 & 31) == 0) {

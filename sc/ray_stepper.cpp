@@ -17,8 +17,8 @@ void ray_stepper::seq() {
   in.step = step_i.value();
   in.copy_sub = copy_sub_i.value();
   in.tracer_reset = tracer_reset_i.value();
-  if (!in.step && !in.copy_sub && !in.tracer_reset) return;
   in.load = load_i.value();
+  if (!in.step && !in.copy_sub && !in.tracer_reset && !in.load) return;
   in.load_zero = load_zero_i.value();
   in.ext = ext_i.value();
   in.ext_sign = ext_sign_i.value();

@@ -31,7 +31,6 @@ void StatsCollector::observe(const chip_view& v) {
   }
   camera_clock_ = first_emit_ = done_clock_ = -1;
   line_clock_ = busy_ = 0;
-  was_returning_ = false;
 }
 
 // A clock of the tracer before line_done.
@@ -47,11 +46,8 @@ void StatsCollector::observe_tracer(const chip_view& v) {
     if (first_emit_ < 0) first_emit_ = line_clock_;
   }
   if (v.emit && !in_return && !v.wall) ++stats_.give_ups;
-  if (returning) {
-    ++stats_.return_clocks;
-    if (!was_returning_) ++stats_.returns;
-  }
-  was_returning_ = returning;
+  if (v.emit && !in_return) ++stats_.returns;
+  if (returning) ++stats_.return_clocks;
   if (v.restart && v.i2 != LastPixel) ++stats_.restarts;
   if (v.descend) ++stats_.descents;
   if (v.descend && (v.tag & 7) == 7) ++stats_.rooms_entered;

@@ -22,7 +22,6 @@ class StatsCollector {
   FrameStats stats_;
   int line_clock_ = 0;
   bool visible_ = false;
-  bool was_returning_ = false;
   int camera_clock_ = -1, first_emit_ = -1, done_clock_ = -1, busy_ = 0;
 };
 

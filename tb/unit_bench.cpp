@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/unit_bench.h"
 
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -71,12 +72,35 @@ vec3 UnitBench::read(const std::string& stem, const std::string& suffix) {
   return v;
 }
 
-void UnitBench::settle() { sc_core::sc_start(sc_core::sc_time(1, sc_core::SC_PS)); }
+void UnitBench::settle() {
+  if (++settles_ >= SettlesBetweenEdges)
+    throw std::logic_error("UnitBench: too many settle() calls without a clock()");
+  sc_core::sc_start(sc_core::sc_time(1, sc_core::SC_PS));
+}
 
 void UnitBench::clock(int edges) {
+  if (edges < 1) return;
   edges_ += edges;
+  settles_ = 0;
   const sc_core::sc_time after_edge(1000.0 * edges_ + 1, sc_core::SC_PS);
   sc_core::sc_start(after_edge - sc_core::sc_time_stamp());
+}
+
+void UnitBench::stir(unsigned seed) {
+  sc_core::sc_spawn_options options;
+  options.spawn_method();
+  options.dont_initialize();
+  options.set_sensitivity(&clk_.negedge_event());
+  const auto change = [this, random = std::minstd_rand(seed)]() mutable {
+    for (Pin* pin : order_) {
+      if (!pin->input) continue;
+      const unsigned draw = static_cast<unsigned>(random()) >> 2;
+      if (pin->name == "rst_ni") pin->drive(draw % 64 != 0);
+      else if (pin->name.find("reset") != std::string::npos) pin->drive(draw % 64 == 0);
+      else if (draw % 4 == 0) pin->drive(static_cast<int>(draw >> 2));
+    }
+  };
+  sc_core::sc_spawn(change, "stir", &options);
 }
 
 }  // namespace racebeam

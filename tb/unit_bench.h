@@ -48,12 +48,19 @@ class UnitBench {
   void drive(const std::string& stem, const std::string& suffix, const vec3& value);
   vec3 read(const std::string& stem, const std::string& suffix = "_o");
 
-  /// Lets combinational outputs follow the inputs, without a clock edge.
+  /// Lets combinational outputs follow the inputs, without a clock edge. At most 900 times between
+  /// two edges (std::logic_error).
   void settle();
   /// One rising edge: registers take what the settled inputs say; then settles.
   void clock(int edges = 1);
 
+  /// From now on new random values on the inputs between the edges: reset pins are active in one
+  /// clock of 64, other inputs change in one of four.
+  void stir(unsigned seed);
+
  private:
+  static constexpr int SettlesBetweenEdges = 900;
+
   template <int Bits>
   bool add(sc_core::sc_object* port);
   template <int... Less>
@@ -63,7 +70,7 @@ class UnitBench {
                          sc_core::sc_time(1000, sc_core::SC_PS)};
   std::map<std::string, std::unique_ptr<Pin>> pins_;
   std::vector<Pin*> order_;
-  int edges_ = 0;
+  int edges_ = 0, settles_ = 0;
 };
 
 }  // namespace racebeam

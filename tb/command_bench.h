@@ -1,0 +1,22 @@
+// `racebeam bench`: simulated clocks a second.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+struct BenchOptions {
+  std::vector<std::string> units;  ///< unit test benches to run; empty: the chip and all units
+  int frames = 20;                 ///< of each demo part
+  int repeats = 5;                 ///< of which the median counts
+  bool json = false;
+};
+
+/// Returns the exit code. Throws UsageError for an unknown unit.
+int command_bench(const BenchOptions& options);
+
+}  // namespace racebeam

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tb/command_bench.h"
+#include "tb/command_doctor.h"
+#include "tb/command_knobs.h"
+#include "tb/command_render.h"
+#include "tb/console.h"
+#include "tb/nearest.h"
+#include "tb/version.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* ProgramName = "racebeam";
+
+const CLI::Validator NotEmpty(
+    [](const std::string& text) { return text.empty() ? "an empty name" : ""; }, "", "not empty");
+
+void add_render(CLI::App& app, RenderOptions& options) {
+  CLI::App* render = app.add_subcommand("render", "Render frames as files and statistics");
+  render->add_option("scene", options.scene, "demo: the chip's own demo, 12799 frames")
+      ->required()
+      ->type_name("SCENE");
+  const auto number = [&](const char* name, long long& to, const char* help) {
+    render->add_option(name, to, help)->type_name("N")->capture_default_str();
+  };
+  const auto file = [&](const char* name, std::string& to, const char* type, const char* help) {
+    render->add_option(name, to, help)->type_name(type)->check(NotEmpty);
+  };
+  number("--frames", options.frames, "Frames to render");
+  number("--first", options.first, "First frame, 0..12798");
+  number("--every", options.every, "Render only every Nth frame");
+  render->add_option("--level", options.level, "signal: SystemC units wired at 50.4 MHz")
+      ->type_name("LEVEL")
+      ->capture_default_str();
+  render->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  file("-o,--output", options.folder, "DIR",
+       "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
+       "asked for");
+  file("--gif", options.gif, "FILE", "Animated GIF");
+  number("--gif-scale", options.gif_scale, "Shrink the GIF N times in both axes, 1..8");
+  file("--wav", options.wav, "FILE", "Sound of consecutive frames");
+  file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
+  file("--stats", options.stats, "FILE.json", "Statistics");
+  render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
+  render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
+}
+
+void add_bench(CLI::App& app, BenchOptions& options) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure simulated clocks a second");
+  bench->add_option("unit", options.units, "Only these unit test benches")->type_name("UNIT");
+  bench->add_option("--frames", options.frames, "Frames of each demo part")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  bench->add_option("--repeat", options.repeats, "Runs of which the median counts")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  bench->add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// CLI11's error in words that say what to do.
+UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::string name = chosen.empty() ? ProgramName : ProgramName + (" " + command.get_name());
+  const std::vector<std::string> rest = app.remaining(true);
+  const std::string first = rest.empty() ? "" : rest.front();
+  if (first.size() > 1 && first[0] == '-')
+    return unknown_name("option", first.substr(0, first.find('=')), option_names(command));
+  if (chosen.empty()) {
+    std::vector<std::string> known;
+    for (const CLI::App* one : app.get_subcommands(nullptr)) known.push_back(one->get_name());
+    return first.empty() ? UsageError("a command is missing; `racebeam --help` lists them")
+                         : unknown_name("command", first, known);
+  }
+  const std::string help = "; `" + name + " --help` shows what it takes";
+  if (!first.empty()) return UsageError("'" + first + "' is one argument too many" + help);
+  return UsageError(error.what() + help);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app("A SystemC model of a chip that ray-traces just ahead of a VGA beam.", ProgramName);
+  app.set_version_flag("--version", ProgramName + (std::string(" ") + program_version()));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 good, 1 a check found a difference, 2 bad usage or input, 3 something is\n"
+      "missing on the machine, 130 interrupted.");
+  RenderOptions render;
+  BenchOptions bench;
+  bool json = false;
+  add_render(app, render);
+  app.add_subcommand("knobs", "List what --set may change")
+      ->add_flag("--json", json, "JSON on stdout instead of the table");
+  add_bench(app, bench);
+  app.add_subcommand("doctor", "Check the machine and list versions")
+      ->add_flag("--json", json, "JSON on stdout instead of the text");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw usage_error(app, error);
+    std::ostringstream help, unused;
+    app.exit(error, help, unused);
+    print(help.str());
+    return ExitGood;
+  }
+  if (app.got_subcommand("knobs")) return command_knobs(json);
+  if (app.got_subcommand("doctor")) return command_doctor(json);
+  if (app.got_subcommand("bench")) return command_bench(bench);
+  render.command.assign(argv, argv + argc);
+  render.command.front() = ProgramName;
+  return command_render(render);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/command_render.h"
+
+#include <exception>
+#include <string>
+
+#include "tb/console.h"
+#include "tb/demo_parts.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
+#include "tb/progress.h"
+#include "tb/render_files.h"
+#include "tb/signal_bench.h"
+#include "tb/stats_json.h"
+#include "tb/stats_table.h"
+
+namespace racebeam {
+
+namespace {
+
+// Simulates the planned frames; ends early when interrupted.
+void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& files,
+                   StatsReport& report) {
+  Progress progress(plan.frames);
+  progress.draw(0, 0);
+  if (!plan.json) print(table_header(plan.crc));
+  for (int i = 0; i < plan.frames && !interrupted(); ++i) {
+    bench.seek(plan.frame(i));
+    const SignalBench::Frame frame = bench.render();
+    const std::string part = demo_part(frame.number).name();
+    files.add(frame.number, part, frame.picture);
+    report.add(frame.number, part, *frame.stats, frame.picture, plan.crc);
+    progress.clear();
+    if (!plan.json) print(table_row(frame.number, part, *frame.stats, frame.picture, plan.crc));
+    progress.draw(i + 1, bench.clocks());
+  }
+}
+
+}  // namespace
+
+int command_render(const RenderOptions& options) {
+  const RenderPlan plan = plan_render(options);
+  catch_interrupts();
+  RenderFiles files(plan);
+  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty()});
+  StatsReport report(plan.scene, plan.level, plan.k);
+  std::exception_ptr broken_sync;
+  try {
+    render_frames(plan, bench, files, report);
+  } catch (const SyncError&) {
+    broken_sync = std::current_exception();
+  }
+  const std::string stats = report.text();
+  files.finish(bench.sound(), stats);
+  if (plan.json) print(stats);
+  else if (report.frames() > 1) print(table_total(report));
+  const bool whole = report.frames() == plan.frames;
+  tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  if (broken_sync) std::rethrow_exception(broken_sync);
+  return whole ? ExitGood : ExitInterrupted;
+}
+
+}  // namespace racebeam

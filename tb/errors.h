@@ -1,0 +1,29 @@
+// How the program ends: its exit codes, and the errors that lead to them.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+
+namespace racebeam {
+
+enum ExitCode {
+  ExitGood = 0,
+  ExitDifference = 1,  ///< a check found a difference
+  ExitUsage = 2,       ///< bad input or usage, or a file that cannot be written
+  ExitMissing = 3,     ///< something is missing on the machine
+  ExitInterrupted = 130,
+};
+
+/// The caller asked for something that does not exist; says what to do instead. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The machine lacks something; says how to get it. Exit code 3.
+class MissingTool : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,72 @@
+// The program racebeam: starts SystemC quietly, runs the command, turns errors into exit codes.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <signal.h>
+#include <sysc/kernel/sc_externs.h>
+#include <sysc/utils/sc_report.h>
+#include <sysc/utils/sc_report_handler.h>
+
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include "sc/knobs.h"
+#include "tb/command_line.h"
+#include "tb/console.h"
+#include "tb/errors.h"
+#include "tb/output_file.h"
+#include "tb/vga_monitor.h"
+
+namespace racebeam {
+
+namespace {
+
+// Results alone go to stdout: what SystemC reports belongs on stderr.
+void report(const sc_core::sc_report& message, const sc_core::sc_actions& actions) {
+  if (message.get_severity() >= sc_core::SC_ERROR)
+    sc_core::sc_report_handler::default_handler(message, actions);
+  else if (actions & sc_core::SC_DISPLAY) tell(message.what());
+}
+
+int run(int argc, char** argv) {
+  sc_core::sc_report_handler::set_handler(report);
+  try {
+    return run_command_line(argc, argv);
+  } catch (const UsageError& error) {
+    tell(error.what());
+    return ExitUsage;
+  } catch (const knob_error& error) {
+    tell(error.what());
+    return ExitUsage;
+  } catch (const OutputError& error) {
+    tell(error.what());
+    tell("nothing half-written is left; free some space or choose another place");
+    return ExitUsage;
+  } catch (const MissingTool& error) {
+    tell(error.what());
+    return ExitMissing;
+  } catch (const std::bad_alloc&) {
+    tell("out of memory; render fewer frames at a time");
+    return ExitMissing;
+  } catch (const SyncError& error) {
+    tell(error.what());
+    return ExitDifference;
+  } catch (const std::exception& error) {
+    tell(std::string("internal error, please report: ") + error.what());
+    return ExitDifference;
+  }
+}
+
+}  // namespace
+
+}  // namespace racebeam
+
+int sc_main(int argc, char** argv) { return racebeam::run(argc, argv); }
+
+// Instead of the SystemC library's main, which prints a banner.
+int main(int argc, char** argv) {
+  setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+  signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write
+  return sc_core::sc_elab_and_sim(argc, argv);
+}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render_files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "sc/constants.h"
+#include "tb/manifest.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* BuiltIn = "built-in";  // scene hash of the chip's own demo
+constexpr const char* StatsName = "stats.json";
+constexpr const char* ManifestName = "manifest.json";
+constexpr double FramesPerSecond = 60;
+constexpr double SlowestGif = 5;  // frames per second, however few of the demo's are shown
+constexpr int SheetColumns = 4;
+
+std::string picture_name(int frame) { return fmt::format("frame_{:04}.png", frame); }
+
+// Writes a byte and takes it back.
+void try_writing(const std::string& path) {
+  if (path.empty()) return;
+  OutputFile file(path);
+  std::error_code error;
+  if (!fs::exists(path, error) || fs::is_regular_file(path, error)) file.write("", 1);
+  else if (access(path.c_str(), W_OK) != 0)  // a device or a pipe, which takes no byte back
+    throw OutputError(path, errno, "");
+}
+
+// Returns whether it is new.
+bool make_folder(const std::string& folder) {
+  std::error_code error, ignored;
+  const bool created = fs::create_directories(folder, error);
+  if (error && !fs::is_directory(folder, ignored)) throw OutputError(folder, error.value(), "");
+  return created;
+}
+
+}  // namespace
+
+RenderFiles::RenderFiles(const RenderPlan& plan) : plan_(plan) {
+  const bool new_folder = !plan_.folder.empty() && make_folder(plan_.folder);
+  try {
+    if (!plan_.folder.empty()) try_writing(in_folder(picture_name(plan_.first)));
+    for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
+      try_writing(path);
+  } catch (const OutputError&) {
+    std::error_code ignored;
+    if (new_folder) fs::remove(plan_.folder, ignored);
+    throw;
+  }
+  if (!plan_.gif.empty())
+    gif_ = std::make_unique<GifWriter>(plan_.gif, VisibleColumns, VisibleRows,
+                                       std::max(FramesPerSecond / plan_.every, SlowestGif),
+                                       plan_.gif_scale);
+}
+
+std::string RenderFiles::in_folder(const std::string& name) const {
+  return (fs::path(plan_.folder) / name).string();
+}
+
+void RenderFiles::add(int frame, const std::string& part, const VgaFrame& picture) {
+  ++frames_;
+  if (!plan_.folder.empty()) {
+    in_folder_.push_back(picture_name(frame));
+    write_png(in_folder(in_folder_.back()), picture.colours, VisibleColumns, VisibleRows);
+  }
+  if (gif_) gif_->add(picture.colours);
+  if (!plan_.sheet.empty()) sheet_.push_back({picture.colours, fmt::format("{} {}", frame, part)});
+}
+
+void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
+  if (gif_ && frames_ > 0) gif_->close();
+  gif_.reset();
+  if (!sheet_.empty())
+    write_contact_sheet(plan_.sheet, sheet_, VisibleColumns, VisibleRows, SheetColumns);
+  if (!plan_.wav.empty() && sound && frames_ > 0) sound->write_wav(plan_.wav);
+  if (!plan_.stats.empty()) write_text(plan_.stats, stats);
+  if (plan_.folder.empty()) return;
+  write_text(in_folder(StatsName), stats);
+  in_folder_.push_back(StatsName);
+  write_text(in_folder(ManifestName), manifest());
+}
+
+std::string RenderFiles::manifest() const {
+  Manifest manifest;
+  manifest.scene = plan_.scene;
+  manifest.scene_hash = BuiltIn;
+  manifest.level = plan_.level;
+  manifest.k = plan_.k;
+  manifest.command = plan_.command;
+  manifest.first_frame = plan_.first;
+  manifest.every = plan_.every;
+  manifest.frames_wanted = plan_.frames;
+  manifest.frames_rendered = frames_;
+  manifest.files = in_folder_;
+  return manifest.text();
+}
+
+std::string RenderFiles::summary() const {
+  std::string text = fmt::format("{} frame{}", frames_, frames_ == 1 ? "" : "s");
+  if (!plan_.folder.empty()) text += " in " + plan_.folder;
+  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet})
+    if (!path.empty() && frames_ > 0) text += ", " + path;
+  if (!plan_.stats.empty()) text += ", " + plan_.stats;
+  return text;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,47 @@
+// The files that a render leaves: pictures as they come, the rest at the end.
+//
+// Each appears whole or not at all, whatever happens in between.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tb/gif_writer.h"
+#include "tb/image_files.h"
+#include "tb/render_options.h"
+#include "tb/sound_monitor.h"
+#include "tb/vga_monitor.h"
+
+namespace racebeam {
+
+class RenderFiles {
+ public:
+  /// Makes the folder and tries whether every file can be written. Throws OutputError.
+  explicit RenderFiles(const RenderPlan& plan);
+
+  /// A whole frame. Throws OutputError.
+  void add(int frame, const std::string& part, const VgaFrame& picture);
+
+  /// Writes what belongs to the frames added so far, which may be fewer than planned. `sound` may
+  /// be nullptr. Throws OutputError.
+  void finish(const SoundMonitor* sound, const std::string& stats);
+
+  /// What was written, for a message: "3 pictures in DIR, F.gif".
+  std::string summary() const;
+
+ private:
+  std::string in_folder(const std::string& name) const;
+  std::string manifest() const;
+
+  const RenderPlan plan_;
+  int frames_ = 0;
+  std::vector<std::string> in_folder_;  // names of the files in the folder
+  std::vector<SheetFrame> sheet_;
+  std::unique_ptr<GifWriter> gif_;
+};
+
+}  // namespace racebeam

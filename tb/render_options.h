@@ -1,0 +1,41 @@
+// What `racebeam render` was asked for, and what it will do.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sc/knobs.h"
+
+namespace racebeam {
+
+/// The command line as it was written. An empty path: not asked for.
+struct RenderOptions {
+  std::string scene, level = "signal";
+  long long frames = 1, first = 0, every = 1, gif_scale = 1;
+  std::vector<std::string> assignments;  ///< knob=value
+  std::string folder, gif, wav, sheet, stats;
+  bool crc = false, json = false;
+  std::vector<std::string> command;  ///< for the manifest
+};
+
+/// The same, checked: every number is in its range.
+struct RenderPlan {
+  std::string scene, level;
+  int frames, first, every, gif_scale;
+  knobs k;
+  std::string folder, gif, wav, sheet, stats;
+  bool crc, json;
+  std::vector<std::string> command;
+
+  /// Number of the `index`-th frame; the demo loops.
+  int frame(int index) const;
+};
+
+/// Throws UsageError or knob_error for whatever cannot be done. Without any file asked for, the
+/// folder is "racebeam_out".
+RenderPlan plan_render(const RenderOptions& options);
+
+}  // namespace racebeam
