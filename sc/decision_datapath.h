@@ -17,8 +17,8 @@
 // Reset   tracer_reset_i, restart_i (not on the nav_line), active_start_i on the nav_line: the
 //         root, depth 0, level 2, at the camera. face, dom and hit_face are not reset.
 // Knobs   dr_bits, corner_bits, corner_factor_bits, partial_products_cut, max_room_depth,
-//         face_stack_depth, interlace, skip_shared_edges (the levels of an edge that lies on the
-//         edge of the face are passed over).
+//         face_stack_depth, skip_shared_edges (the levels of an edge that lies on the edge of the
+//         face are passed over).
 // Twin    rtl/decision_datapath.sv        Test  tests/decision_datapath_test.cpp
 // Source  contract section 11; seed 000 "Geometry tests", "Subdeterminant calculation".
 //
