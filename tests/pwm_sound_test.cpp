@@ -1,4 +1,4 @@
-// Promises of sc/pwm_sound.h: the pin and its clocks, then the voices, then the tune.
+// Promises of sc/pwm_sound.h: the pin and its clocks.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -6,20 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <set>
-#include <vector>
 
-#include "sc/tune.h"
 #include "sc/vga_timing.h"
 
 namespace racebeam {
 namespace {
-
-constexpr int DemoSamples = DemoFrames * FrameSamples;
-constexpr int StepSamples = tune::StepFrames * FrameSamples;
 
 /// The core behind a raster, so that it sees the x2 of any speed.
 struct Bench {
@@ -52,13 +44,6 @@ struct Bench {
 int reference_sum(int previous, int speed, int phase, int frame, int sample) {
   int sum = (16 * (-400 + 24 * (speed & 3)) & ~15) + (previous & 15);
   for (int voice = 0; voice < 24; ++voice) sum += voice_value(voice, phase, frame, sample);
-  return sum;
-}
-
-int voice_sum(int n) {
-  int sum = 0;
-  for (int voice = 0; voice < Voices; ++voice)
-    sum += voice_value(voice, n & low_bits(PhaseBits), n / FrameSamples, n % FrameSamples);
   return sum;
 }
 
@@ -218,184 +203,6 @@ TEST(PwmSound, PinFollowsTheCoreClockByClock) {
     ASSERT_EQ(unit.core().sum_q, b.core.sum_q) << "clock " << n;
   }
   EXPECT_GE(edges, 12);
-}
-
-// --- The voices -------------------------------------------------------------------------------
-
-/// Which track a voice plays, and how many frames late.
-struct Part {
-  tune::bar_name tune::measure::*track;
-  int delay;
-};
-
-Part part_of(int voice) {
-  using m = tune::measure;
-  if (voice < 2) return {&m::kick, 0};
-  if (voice < 4) return {&m::snare, 0};
-  if (voice == 4) return {&m::hat, 0};
-  if (voice == 5) return {&m::crash, 0};
-  if (voice == 6) return {&m::tom, 0};
-  if (voice < 9) return {&m::bass, 0};
-  if (voice < 13) return {&m::lead, voice < 11 ? 0 : voice == 11 ? 24 : 48};
-  if (voice == 13) return {&m::second, 0};
-  if (voice < 22) return {&m::pad, 0};
-  return {&m::arpeggio, voice == 22 ? 0 : 24};
-}
-
-TEST(PwmSoundVoices, LimitsAddUpToWhatThePinCanShow) {
-  int sum = 0;
-  for (int voice = 0; voice < Voices; ++voice) sum += voice_limit(voice);
-  EXPECT_LE(sum, MaximumSum);
-  EXPECT_GT(sum, 6000) << "loudness given away";
-}
-
-TEST(PwmSoundVoices, NoVoiceExceedsItsLimitOrItsTenBits) {
-  for (int voice = 0; voice < Voices; ++voice) {
-    ASSERT_LE(voice_limit(voice), 511);
-    for (int n = 0; n < DemoSamples; n += 13)
-      ASSERT_LE(
-          std::abs(voice_value(voice, n & low_bits(PhaseBits), n / FrameSamples, n % FrameSamples)),
-          voice_limit(voice))
-          << "voice " << voice << " sample " << n;
-  }
-}
-
-TEST(PwmSoundVoices, EveryNoteBeginsAndEndsInSilence) {
-  for (int voice = 0; voice < Voices; ++voice) {
-    const Part part = part_of(voice);
-    const auto value = [&](int n) {
-      return voice_value(voice, n & low_bits(PhaseBits), n / FrameSamples, n % FrameSamples);
-    };
-    int notes = 0;
-    for (int step = 0; step < tune::Measures * tune::MeasureSteps; ++step) {
-      const auto& row = tune::arrangement[step / tune::MeasureSteps];
-      const int word = tune::bars[row.*part.track][step % tune::MeasureSteps];
-      const int n = step * StepSamples + part.delay * FrameSamples;
-      if ((word >> 4 & 15) != 0 || n >= DemoSamples) continue;
-      notes += word >> 8 != 0;
-      EXPECT_EQ(value(n), 0) << "voice " << voice << " step " << step;
-      if (n > 0) {
-        EXPECT_EQ(value(n - 1), 0) << "voice " << voice << " step " << step;
-      }
-    }
-    EXPECT_GT(notes, 0) << "voice " << voice << " never plays";
-  }
-}
-
-TEST(PwmSoundVoices, NoToneEverJumps) {
-  struct Tone {
-    int voice, eighths;  // of its limit: the steepest slope of its wave
-  };
-  constexpr Tone tones[] = {{0, 1},  {2, 1},  {6, 1},  {7, 1},  {8, 2},  {9, 6},
-                            {10, 6}, {12, 6}, {13, 6}, {14, 1}, {20, 1}, {22, 6}};
-  for (const Tone& tone : tones) {
-    const int largest = voice_limit(tone.voice) * tone.eighths / 8;
-    int last = 0;
-    for (int n = 0; n < DemoSamples; ++n) {
-      const int value =
-          voice_value(tone.voice, n & low_bits(PhaseBits), n / FrameSamples, n % FrameSamples);
-      ASSERT_LE(std::abs(value - last), largest) << "voice " << tone.voice << " sample " << n;
-      last = value;
-    }
-  }
-}
-
-TEST(PwmSoundVoices, TheDemoEndsInSilence) {
-  for (int n = DemoSamples - 2 * FrameSamples; n < DemoSamples; ++n) ASSERT_EQ(voice_sum(n), 0);
-}
-
-TEST(PwmSoundVoices, APadTurnsAsOftenAsItsNoteSays) {
-  int turns = 0;  // the first chord stands still; only the phase moves
-  bool above = false;
-  for (int phase = 0; phase <= low_bits(PhaseBits); ++phase) {
-    const int value = voice_value(14, phase, 40, 0);
-    turns += !above && value > 20;
-    above = value > 20 || (above && value > -20);
-  }
-  EXPECT_NEAR(turns, phase_increment(tune::chords[tune::Dm][1]), 1);
-}
-
-// --- The tune ---------------------------------------------------------------------------------
-
-double cents_wrong(int note) {
-  const double exact = 440 * std::pow(2.0, (note >> 4) - 4 + ((note & 15) - 9) / 12.0);
-  return 1200 * std::log2(phase_increment(note) * (63000.0 / (1 << 19)) / exact);
-}
-
-TEST(Tune, EveryNoteIsInTuneWithin3Cents) {
-  EXPECT_EQ(phase_increment(0x49), 3662);
-  for (const auto& row : tune::arrangement) {
-    for (const int note : tune::chords[row.harmony]) EXPECT_LT(std::abs(cents_wrong(note)), 3);
-    for (const auto track : {row.lead, row.second})
-      for (const int word : tune::bars[track])
-        if (word >> 8) {
-          EXPECT_LT(std::abs(cents_wrong(word >> 8)), 3) << (word >> 8);
-        }
-  }
-}
-
-TEST(Tune, MelodyIsMadeOfTheChords) {
-  int stressed = 0, stressed_in = 0, all = 0, all_in = 0;
-  for (const auto& row : tune::arrangement)
-    for (int step = 0; step < tune::MeasureSteps; ++step) {
-      const int word = tune::bars[row.lead][step];
-      if (word >> 8 == 0) continue;
-      bool in_chord = false;
-      for (const int note : tune::chords[row.harmony]) in_chord |= (note ^ word >> 8) % 16 == 0;
-      ++all, all_in += in_chord;
-      const bool begins = (word >> 4 & 15) == 0;
-      if (begins && (step % 8 == 0 || (word & 15) >= 3)) ++stressed, stressed_in += in_chord;
-    }
-  EXPECT_GT(stressed, 150);
-  EXPECT_GE(stressed_in * 100, stressed * 95);
-  EXPECT_GE(all_in * 100, all * 80);
-}
-
-TEST(Tune, BeatsAre112AndAHalfAMinute) {
-  EXPECT_EQ(60.0 * SampleRate / (4 * StepSamples), 112.5);
-  for (int beat = 16 * 4; beat < 23 * 4; ++beat) {  // the groove: a kick on every beat
-    const int n = beat * 4 * StepSamples;
-    int before = 0, after = 0;
-    for (int i = 1; i < 1000; ++i) {
-      before = std::max(before, std::abs(voice_value(0, 0, (n - i) / 1050, (n - i) % 1050)));
-      after = std::max(after, std::abs(voice_value(0, 0, (n + i) / 1050, (n + i) % 1050)));
-    }
-    EXPECT_LT(before, 60) << "beat " << beat;
-    EXPECT_GT(after, 450) << "beat " << beat;
-  }
-}
-
-TEST(Tune, NoPassageOfFourMeasuresTo60SecondsIsPlayedTwiceInARow) {
-  const auto same = [](const tune::measure& a, const tune::measure& b) {
-    return a.harmony == b.harmony && a.lead == b.lead && a.second == b.second && a.pad == b.pad &&
-           a.bass == b.bass && a.arpeggio == b.arpeggio && a.kick == b.kick && a.snare == b.snare;
-  };
-  constexpr int minute = 29;  // measures of 2.1333 s
-  for (int length = 4; length <= minute; ++length)
-    for (int start = 0; start + 2 * length <= tune::Measures; ++start) {
-      int equal = 0;
-      for (int i = 0; i < length; ++i)
-        equal += same(tune::arrangement[start + i], tune::arrangement[start + length + i]);
-      EXPECT_LT(equal, length) << "measure " << start << ", length " << length;
-    }
-}
-
-TEST(Tune, FourMeasuresAreNeitherLostNorMuchLouderThanOthersAndHaveNoDc) {
-  constexpr int passage = 4 * tune::MeasureSteps * StepSamples;
-  std::vector<double> loudness;
-  for (int first = 0; first < DemoSamples; first += passage) {
-    double sum = 0, squares = 0;
-    int count = 0;
-    for (int n = first; n < std::min(first + passage, DemoSamples); n += 11, ++count) {
-      const double v = voice_sum(n);
-      sum += v, squares += v * v;
-    }
-    EXPECT_LT(std::abs(sum / count), 16) << "measure " << first / passage * 4;
-    loudness.push_back(10 * std::log10(squares / count) - 20 * std::log10(6400.0));
-    EXPECT_GT(loudness.back(), -28) << "measure " << first / passage * 4;
-    EXPECT_LT(loudness.back(), -18) << "measure " << first / passage * 4;
-  }
-  EXPECT_EQ(loudness.size(), 25u);
 }
 
 }  // namespace
