@@ -169,8 +169,7 @@ camera_unit::camera_unit(const sc_core::sc_module_name& name, const knobs& k)
 }
 
 camera_unit_core::inputs camera_unit::inputs() const {
-  return {reset(), stepping_i.value() != 0, dr2_i.signed_value(), angle_i.value(),
-          y_i.signed_value()};
+  return {reset(), step_i.value() != 0, dr2_i.signed_value(), angle_i.value(), y_i.signed_value()};
 }
 
 // In RUN nothing but the end of the line can change the camera: it sleeps.
@@ -198,13 +197,13 @@ void camera_unit::comb() {
   ext_sign_o.drive(o.ext_sign);
   axis_mask_o.drive(o.axis_mask);
   delta_o.drive(o.delta);
-  copy_o.drive(o.copy);
+  copy_ext_o.drive(o.copy);
   idx_load_o.drive(o.idx_load);
   idx_start_o.drive(o.idx_start);
   i2_init_o.drive(o.i2_init);
   // The tracer's steps are the camera's business only while it rules the stepper.
   if (!core_.run())
-    next_trigger(stepping_i->value_changed_event() | stepped_ | line_end_i->value_changed_event() |
+    next_trigger(step_i->value_changed_event() | stepped_ | line_end_i->value_changed_event() |
                  rst_ni->value_changed_event() | angle_i->value_changed_event());
 }
 

@@ -7,10 +7,10 @@
 //         Three passes (forward, down, right), each PRODUCT (of sines), LOAD, SCALE; then RUN.
 // Size    45 register bits; angles are 1/2048 turn, full scale of a sine is 511.
 // Cycles  44..83 clocks from the start of the line to the first clock of RUN, data dependent.
-// Comb    line_end_i, rst_ni -> tracer_reset_o and all controls; stepping_i -> controls;
-//         y_i -> i2_init_o; stepping_i, line_end_i -> src_o; angle_i -> delta_o, ext_sign_o,
+// Comb    line_end_i, rst_ni -> tracer_reset_o and all controls; step_i -> controls;
+//         y_i -> i2_init_o; step_i, line_end_i -> src_o; angle_i -> delta_o, ext_sign_o,
 //         axis_mask_o, i2_init_o (angle_i depends on src_o: no loop).
-// Stall   waits in SCALE while stepping_i.
+// Stall   waits in SCALE while step_i.
 // Reset   start of a line, also by line_end_i; ddr keeps its value.
 // Knobs   dr_bits scales full scale.
 // Twin    rtl/camera_unit.sv        Test  tests/camera_unit_test.cpp
@@ -87,9 +87,9 @@ class camera_unit : public sc_core::sc_module {
   out_port<3> ext_sign_o{"ext_sign_o"};
   out_port<3> axis_mask_o{"axis_mask_o"};
   axes_out<DdrPortBits> delta_o{"delta", "_o"};  // signed
-  out_port<1> copy_o{"copy_o"};
+  out_port<1> copy_ext_o{"copy_ext_o"};
   // subdivider
-  in_port<1> stepping_i{"stepping_i"};  // its step request
+  in_port<1> step_i{"step_i"};  // its step request
   out_port<1> idx_load_o{"idx_load_o"};
   out_port<PixelBits> idx_start_o{"idx_start_o"};
   out_port<PixelBits> i2_init_o{"i2_init_o"};  // i2 during tracer_reset and after a restart

@@ -80,8 +80,8 @@ void chip::bind_raster_and_camera() {
     u.ext_sign_o(ext_sign);
     u.axis_mask_o(axis_mask);
     u.delta_o.bind(delta);
-    u.copy_o(copy);
-    u.stepping_i(step);
+    u.copy_ext_o(copy_ext);
+    u.step_i(step);
     u.idx_load_o(idx_load);
     u.idx_start_o(idx_start);
     u.i2_init_o(i2_init);
@@ -96,12 +96,12 @@ void chip::bind_raster_and_camera() {
     u.start_y_i(start_y);
     u.corner_i.bind(corner);
     u.room_i(room);
-    u.position_o.bind(nav_position);
+    u.nav_position_o.bind(nav_position);
     u.nav_room_o(nav_room);
-    u.axis_o(nav_axis);
-    u.negative_o(nav_negative);
-    u.op_o(nav_op);
-    u.move_o(nav_move);
+    u.nav_axis_o(nav_axis);
+    u.nav_negative_o(nav_negative);
+    u.nav_op_o(nav_op);
+    u.nav_move_o(nav_move);
   }
 }
 
@@ -116,7 +116,7 @@ void chip::bind_tracer() {
     u.ext_sign_i(ext_sign);
     u.axis_mask_i(axis_mask);
     u.delta_i.bind(delta);
-    u.copy_ext_i(copy);
+    u.copy_ext_i(copy_ext);
     u.step_i(step);
     u.neg_i(neg);
     u.step_size_i(step_size);
@@ -142,7 +142,7 @@ void chip::bind_tracer() {
     u.climb_o(climb);
     u.cur_o(cur);
     u.leave_o(leave);
-    u.signs_o(ray_signs);
+    u.ray_signs_o(ray_signs);
     u.restart_o(restart);
     u.emit_o(emit);
     u.len_m1_o(len_m1);
@@ -212,8 +212,8 @@ void chip::bind_tracer() {
     u.fwrite_o(fwrite);
     u.fdata_o(fdata);
     u.room_o(room);
-    u.axis_o(axis);
-    u.signs_o(look_signs);
+    u.look_axis_o(look_axis);
+    u.look_signs_o(look_signs);
     u.half_size_i.bind(half_size);
     u.position_i.bind(position);
     u.neighbour_i(neighbour);
@@ -223,8 +223,8 @@ void chip::bind_tracer() {
     auto& u = u_scene;
     u.scene_flags_i(scene_flags);
     u.room_i(room);
-    u.axis_i(axis);
-    u.signs_i(look_signs);
+    u.look_axis_i(look_axis);
+    u.look_signs_i(look_signs);
     u.half_size_o.bind(half_size);
     u.position_o.bind(position);
     u.neighbour_o(neighbour);
@@ -248,7 +248,7 @@ void chip::bind_output() {
   {
     auto& u = u_pixel_output;
     u.hit_face_i(hit_face);
-    u.signs_i(ray_signs);
+    u.ray_signs_i(ray_signs);
     u.y_i(y);
     u.shading_b_i(shading_b);
     u.starving_i(starving);

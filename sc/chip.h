@@ -58,7 +58,8 @@ class chip : public sc_core::sc_module {
   // camera_unit
   wire<2> src{"src"};
   wire<1> run{"run"}, tracer_reset{"tracer_reset"};
-  wire<1> load{"load"}, load_zero{"load_zero"}, ext{"ext"}, copy{"copy"}, idx_load{"idx_load"};
+  wire<1> load{"load"}, load_zero{"load_zero"}, ext{"ext"}, copy_ext{"copy_ext"},
+      idx_load{"idx_load"};
   wire<3> ext_sign{"ext_sign"}, axis_mask{"axis_mask"};
   axes_wire<DdrPortBits> delta{"delta"};
   wire<PixelBits> idx_start{"idx_start"}, i2_init{"i2_init"};
@@ -84,7 +85,7 @@ class chip : public sc_core::sc_module {
   wire<4> dec{"dec"}, mask{"mask"};
   wire<TagBits> tag{"tag"};
   wire<1> wall{"wall"}, second{"second"}, fwrite{"fwrite"};
-  wire<2> fdata{"fdata"}, axis{"axis"}, hit_face{"hit_face"};
+  wire<2> fdata{"fdata"}, look_axis{"look_axis"}, hit_face{"hit_face"};
   wire<RoomBits> room{"room"};
   wire<3> look_signs{"look_signs"};
   axes_wire<CornerBits> corner{"corner"};

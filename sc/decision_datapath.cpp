@@ -267,8 +267,8 @@ void decision_datapath::lookup() {
   in.leave = leave_i.value();
   in.signs = ray_signs_i.value();
   in.neighbour = neighbour_i.value();
-  axis_o.drive(core_.lookup_axis(in));
-  signs_o.drive(core_.lookup_signs(in));
+  look_axis_o.drive(core_.lookup_axis(in));
+  look_signs_o.drive(core_.lookup_signs(in));
   fwrite_o.drive(core_.face_write(in));
 }
 

@@ -11,7 +11,7 @@
 // Cycles  one decision, one descent or one climb a clock; a room change takes two (second = 1).
 // Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; leave_i, climb_i, ray_signs_i, neighbour_i, nav_*_i
 // ->
-//         axis_o, signs_o, fwrite_o. mask_o, tag_o, wall_o, second_o, room_o, corner_*_o,
+//         look_axis_o, look_signs_o, fwrite_o. mask_o, tag_o, wall_o, second_o, room_o, corner_*_o,
 //         hit_face_o: registers only.
 // Stall   holds when nothing is asked.
 // Reset   tracer_reset_i, restart_i (not on the nav_line), active_start_i on the nav_line: the
@@ -171,8 +171,8 @@ class decision_datapath : public sc_core::sc_module {
   out_port<2> fdata_o{"fdata_o"};
   // scene
   out_port<RoomBits> room_o{"room_o"};
-  out_port<2> axis_o{"axis_o"};
-  out_port<3> signs_o{"signs_o"};
+  out_port<2> look_axis_o{"look_axis_o"};
+  out_port<3> look_signs_o{"look_signs_o"};
   axes_in<CornerBits> half_size_i{"half_size", "_i"};
   axes_in<CornerBits> position_i{"position", "_i"};  // signed
   in_port<RoomBits> neighbour_i{"neighbour_i"};

@@ -2,43 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/knobs.h"
 
-#include <algorithm>
-#include <charconv>
-#include <numeric>
-
 namespace racebeam {
-
-namespace {
-
-// Edits (insert, delete, replace) that turn `a` into `b`.
-int edit_distance(const std::string& a, const std::string& b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
-const knob_info& find_knob(const std::string& name) {
-  const auto& table = knob_table();
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const knob_info& row) { return row.name == name; });
-  if (found != table.end()) return *found;
-  const auto nearest =
-      std::min_element(table.begin(), table.end(), [&](const knob_info& a, const knob_info& b) {
-        return edit_distance(name, a.name) < edit_distance(name, b.name);
-      });
-  throw knob_error("unknown knob '" + name + "'; the nearest is '" + nearest->name +
-                   "' (`racebeam knobs` lists all)");
-}
-
-}  // namespace
 
 std::string knob_info::text(int value) const {
   return names.empty() ? std::to_string(value) : names.at(value - min);
@@ -191,27 +155,6 @@ const std::vector<knob_info>& knob_table() {
        "contract 5.6"},
   };
   return table;
-}
-
-void set_knob(knobs& k, const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  if (equals == std::string::npos)
-    throw knob_error("'" + assignment + "' is not of the form knob=value");
-  const knob_info& row = find_knob(assignment.substr(0, equals));
-  const std::string text = assignment.substr(equals + 1);
-  const auto named = std::find(row.names.begin(), row.names.end(), text);
-  int value = row.min - 1;
-  if (named != row.names.end()) {
-    value = row.min + static_cast<int>(named - row.names.begin());
-  } else if (row.names.empty()) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) value = row.min - 1;
-  }
-  if (value < row.min || value > row.max)
-    throw knob_error("knob " + std::string(row.name) + " = '" + text +
-                     "' is out of range; it takes " + row.range() +
-                     (*row.unit ? std::string(" ") + row.unit : ""));
-  k.*row.member = value;
 }
 
 }  // namespace racebeam

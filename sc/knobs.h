@@ -7,7 +7,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -57,14 +56,6 @@ struct knob_info {
   std::string range() const;
 };
 
-/// A knob that does not exist, or a value that it does not take; says which values it takes.
-class knob_error : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 const std::vector<knob_info>& knob_table();
-
-/// Sets one knob from "name=value". Throws knob_error.
-void set_knob(knobs& k, const std::string& assignment);
 
 }  // namespace racebeam

@@ -82,13 +82,13 @@ void navigator::seq() {
 }
 
 void navigator::comb() {
-  position_o.drive(core_.position_q);
+  nav_position_o.drive(core_.position_q);
   nav_room_o.drive(core_.room());
   const auto o = core_.comb(corner_i.signed_value());
-  axis_o.drive(o.axis);
-  negative_o.drive(o.negative);
-  op_o.drive(o.op);
-  move_o.drive(o.move);
+  nav_axis_o.drive(o.axis);
+  nav_negative_o.drive(o.negative);
+  nav_op_o.drive(o.op);
+  nav_move_o.drive(o.move);
   // The corner moves all the time: it is listened to on the navigator's own line only.
   if (nav_line_i.value()) {
     if (corner_events_.size() == 0)

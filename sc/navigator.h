@@ -7,7 +7,7 @@
 // Size    22 register bits: state 3, x 3 (steps of 64), y 3 (odd multiples of 32), z 9, room j 4;
 //         room i = 4 and k = 0 are wired.
 // Cycles  starts in the clock after active_start_i, done 6 clocks later at most.
-// Comb    corner_*_i (signs) -> axis_o, negative_o, op_o, move_o.
+// Comb    corner_*_i (signs) -> nav_axis_o, nav_negative_o, nav_op_o, nav_move_o.
 // Stall   none.
 // Reset   rst_ni or nav_reset_i: start position (0, start_y, 0), room j = 0, idle.
 // Twin    rtl/navigator.sv        Test  tests/navigator_test.cpp
@@ -85,12 +85,12 @@ class navigator : public sc_core::sc_module {
   // decision_datapath
   axes_in<CornerBits> corner_i{"corner", "_i"};  // signed
   in_port<RoomBits> room_i{"room_i"};
-  axes_out<NavigatorBits> position_o{"position", "_o"};  // signed, room centre minus camera
-  out_port<RoomBits> nav_room_o{"nav_room_o"};           // room of the camera
-  out_port<2> axis_o{"axis_o"};
-  out_port<1> negative_o{"negative_o"};  // look towards negative coordinates
-  out_port<3> op_o{"op_o"};              // corner_op
-  out_port<1> move_o{"move_o"};          // room := neighbour
+  axes_out<NavigatorBits> nav_position_o{"nav_position", "_o"};  // signed, room centre minus camera
+  out_port<RoomBits> nav_room_o{"nav_room_o"};                   // room of the camera
+  out_port<2> nav_axis_o{"nav_axis_o"};
+  out_port<1> nav_negative_o{"nav_negative_o"};  // look towards negative coordinates
+  out_port<3> nav_op_o{"nav_op_o"};              // corner_op
+  out_port<1> nav_move_o{"nav_move_o"};          // room := neighbour
 
   navigator(const sc_core::sc_module_name& name, const knobs& k);
 

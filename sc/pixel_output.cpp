@@ -40,13 +40,13 @@ pixel_output::pixel_output(const sc_core::sc_module_name& name, const knobs& k)
     : sc_module(name), knobs_(k) {
   SC_HAS_PROCESS(pixel_output);
   SC_METHOD(offer);
-  sensitive << hit_face_i << signs_i << y_i << shading_b_i << starving_i;
+  sensitive << hit_face_i << ray_signs_i << y_i << shading_b_i << starving_i;
   SC_METHOD(show);
   sensitive << display_i << lock_i << inverse_i << palette_i << active_i << hsync_ni << vsync_ni;
 }
 
 void pixel_output::offer() {
-  value_o.drive(pixel_output_core::value(hit_face_i.value(), signs_i.value(), y_i.value() & 1,
+  value_o.drive(pixel_output_core::value(hit_face_i.value(), ray_signs_i.value(), y_i.value() & 1,
                                          shading_b_i.value(), starving_i.value(), knobs_));
 }
 

@@ -50,9 +50,9 @@ struct pixel_output_core {
 class pixel_output : public sc_core::sc_module {
  public:
   // Interval on offer
-  in_port<2> hit_face_i{"hit_face_i"};  // axis of the wall
-  in_port<3> signs_i{"signs_i"};        // ray signs, 1: negative
-  in_port<10> y_i{"y_i"};               // bit 0: odd line
+  in_port<2> hit_face_i{"hit_face_i"};    // axis of the wall
+  in_port<3> ray_signs_i{"ray_signs_i"};  // ray signs, 1: negative
+  in_port<10> y_i{"y_i"};                 // bit 0: odd line
   in_port<1> shading_b_i{"shading_b_i"};
   in_port<1> starving_i{"starving_i"};
   out_port<2> value_o{"value_o"};

@@ -93,15 +93,15 @@ int scene_core::neighbour(int flags, int id, int axis, bool negative) {
 scene::scene(const sc_core::sc_module_name& name) : sc_module(name) {
   SC_HAS_PROCESS(scene);
   SC_METHOD(comb);
-  sensitive << scene_flags_i << room_i << axis_i << signs_i;
+  sensitive << scene_flags_i << room_i << look_axis_i << look_signs_i;
 }
 
 void scene::comb() {
-  const int flags = scene_flags_i.value(), id = room_i.value(), axis = axis_i.value();
+  const int flags = scene_flags_i.value(), id = room_i.value(), axis = look_axis_i.value();
   const auto room = scene_core::geometry(flags, id);
   half_size_o.drive(room.half_size);
   position_o.drive(room.position);
-  neighbour_o.drive(scene_core::neighbour(flags, id, axis, bit_of(signs_i.value(), axis)));
+  neighbour_o.drive(scene_core::neighbour(flags, id, axis, bit_of(look_signs_i.value(), axis)));
 }
 
 }  // namespace racebeam

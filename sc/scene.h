@@ -6,7 +6,7 @@
 //         signs has the axis' bit; 511 where the face is solid.
 // Size    no registers. Room id {k(1), j(4), i(4)}; coordinates 12 bits, modulo 4096.
 // Cycles  combinational.
-// Comb    all inputs -> all outputs (S and R do not depend on axis_i, signs_i).
+// Comb    all inputs -> all outputs (S and R do not depend on look_axis_i, look_signs_i).
 // Stall   none.
 // Reset   none.
 // Twin    rtl/scene.sv        Test  tests/scene_test.cpp
@@ -39,8 +39,8 @@ class scene : public sc_core::sc_module {
   in_port<6> scene_flags_i{"scene_flags_i"};  // scene_flag bits
   // decision_datapath
   in_port<RoomBits> room_i{"room_i"};
-  in_port<2> axis_i{"axis_i"};    // face looked through
-  in_port<3> signs_i{"signs_i"};  // per axis, 1: towards negative coordinates
+  in_port<2> look_axis_i{"look_axis_i"};    // face looked through
+  in_port<3> look_signs_i{"look_signs_i"};  // per axis, 1: towards negative coordinates
   axes_out<CornerBits> half_size_o{"half_size", "_o"};
   axes_out<CornerBits> position_o{"position", "_o"};  // signed
   out_port<RoomBits> neighbour_o{"neighbour_o"};      // 511: solid

@@ -152,7 +152,7 @@ void subdivider::seq() {
   idx2_o.drive(core_.idx2_q);
   i2_o.drive(core_.i2_q);
   len_m1_o.drive(core_.len_m1());
-  signs_o.drive(core_.signs());
+  ray_signs_o.drive(core_.signs());
   sp_o.drive(core_.sp_q);
   sd_o.drive(core_.sd_q);
   line_done_o.drive(core_.line_done_q);

@@ -12,7 +12,7 @@
 // Comb    wall_i, starving_i -> emit_o; and with dec_i, mask_i, second_i, tag_i, top_tag_i,
 //         top_i2_i, ack_i, lock_i, consume_i, tracer_reset_i -> step_o, neg_o, step_size_o,
 //         copy_sub_o, push_en_o, descend_o, climb_o, cur_o, leave_o, restart_o. state_o, i2_o,
-//         idx2_o, len_m1_o, signs_o, sp_o, sd_o, line_done_o: registers only.
+//         idx2_o, len_m1_o, ray_signs_o, sp_o, sd_o, line_done_o: registers only.
 // Stall   holds in RETURN while an offer is not accepted; in LEFT while second_i.
 // Reset   tracer_reset_i: LEFT, i1 = 0, i2 = i2_init_i, stack empty; idx2 is camera_unit's.
 // Knobs   interval_stack_depth, hurry_threshold, bisection.
@@ -113,9 +113,9 @@ class subdivider : public sc_core::sc_module {
   // decision_datapath: the move
   out_port<1> descend_o{"descend_o"};
   out_port<1> climb_o{"climb_o"};
-  out_port<4> cur_o{"cur_o"};      // decision to descend with; 0 otherwise
-  out_port<2> leave_o{"leave_o"};  // {descends at level 7, decision}; 0 otherwise
-  out_port<3> signs_o{"signs_o"};  // stored ray signs, 1: negative
+  out_port<4> cur_o{"cur_o"};              // decision to descend with; 0 otherwise
+  out_port<2> leave_o{"leave_o"};          // {descends at level 7, decision}; 0 otherwise
+  out_port<3> ray_signs_o{"ray_signs_o"};  // stored ray signs, 1: negative
   out_port<1> restart_o{"restart_o"};
   // interval_fifo
   out_port<1> emit_o{"emit_o"};              // interval i1..i2 on offer

@@ -9,7 +9,7 @@
 namespace racebeam {
 
 /// Renders and writes. Returns the exit code: 0, or 130 after an interruption, with all whole
-/// frames kept. Throws UsageError, knob_error, OutputError; SyncError if the chip's pins break the
+/// frames kept. Throws UsageError, OutputError; SyncError if the chip's pins break the
 /// video mode, after writing what was good.
 int command_render(const RenderOptions& options);
 

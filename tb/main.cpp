@@ -11,7 +11,6 @@
 #include <new>
 #include <string>
 
-#include "sc/knobs.h"
 #include "tb/command_line.h"
 #include "tb/console.h"
 #include "tb/errors.h"
@@ -34,9 +33,6 @@ int run(int argc, char** argv) {
   try {
     return run_command_line(argc, argv);
   } catch (const UsageError& error) {
-    tell(error.what());
-    return ExitUsage;
-  } catch (const knob_error& error) {
     tell(error.what());
     return ExitUsage;
   } catch (const OutputError& error) {

@@ -9,6 +9,7 @@
 
 #include "sc/constants.h"
 #include "tb/nearest.h"
+#include "tb/set_knob.h"
 
 namespace racebeam {
 

@@ -34,7 +34,7 @@ struct RenderPlan {
   int frame(int index) const;
 };
 
-/// Throws UsageError or knob_error for whatever cannot be done. Without any file asked for, the
+/// Throws UsageError for whatever cannot be done. Without any file asked for, the
 /// folder is "racebeam_out".
 RenderPlan plan_render(const RenderOptions& options);
 

@@ -111,7 +111,7 @@ class CameraUnitKnobTest : public testing::Test {
   void settle() {
     bench->drive("dr2", "_i", dr2);
     drive("y_i", y);
-    drive("stepping_i", idx2 != i2);
+    drive("step_i", idx2 != i2);
     bench->settle();
     const int src = out("src_o");
     drive("angle_i", src == AngleYaw ? view.yaw : src == AnglePitch ? view.pitch : view.fov);
@@ -137,7 +137,7 @@ class CameraUnitKnobTest : public testing::Test {
       }
       dr2[a] = wrap_signed(dr2[a], dr_bits);
     }
-    if (out("copy_o")) dr1 = old;
+    if (out("copy_ext_o")) dr1 = old;
     if (out("idx_load_o")) idx2 = out("idx_start_o");
     else if (step) idx2 = mod(neg ? idx2 - size : idx2 + size, 1024);
     i2 = out("i2_init_o");

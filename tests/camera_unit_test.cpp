@@ -143,13 +143,13 @@ TYPED_TEST(CameraUnitTest, RunHoldsWhateverTheTracerDoes) {
   this->run_line(view_of(1400, 0, -240), -240);
   std::mt19937 random(3);
   for (int c = 0; c < 1500; ++c) {
-    this->drive("stepping_i", random() & 1);
+    this->drive("step_i", random() & 1);
     this->drive("angle_i", random() & 1023);
     this->bench->drive("dr2", "_i", {c & 511, -c & 511, c % 7});
     this->bench->settle();
     ASSERT_EQ(this->out("run_o"), 1);
     ASSERT_EQ(this->out("tracer_reset_o"), 0);
-    ASSERT_EQ(this->out("load_o") | this->out("ext_o") | this->out("copy_o"), 0);
+    ASSERT_EQ(this->out("load_o") | this->out("ext_o") | this->out("copy_ext_o"), 0);
     ASSERT_EQ(this->out("idx_load_o"), 0);
     ASSERT_EQ(this->out("i2_init_o"), 639);
     ASSERT_EQ(this->bench->read("delta"), (vec3{-307, 0, -442}));

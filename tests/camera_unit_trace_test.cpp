@@ -102,7 +102,7 @@ TYPED_TEST(CameraUnitTraceTest, ControlsFollowTheTablesOfTheProductAndThePhases)
     SCOPED_TRACE(c++);
     EXPECT_EQ(this->out("src_o"), row.src);
     EXPECT_EQ(this->out("load_o"), row.load);
-    EXPECT_EQ(this->out("copy_o"), row.copy);
+    EXPECT_EQ(this->out("copy_ext_o"), row.copy);
     EXPECT_EQ(this->out("idx_load_o"), row.idx_load);
     EXPECT_EQ(this->out("i2_init_o"), row.i2_init);
     if (row.load) {  // what the stepper does not look at in this clock is free
@@ -115,7 +115,7 @@ TYPED_TEST(CameraUnitTraceTest, ControlsFollowTheTablesOfTheProductAndThePhases)
     }
     this->clock();
   }
-  while (!(this->out("copy_o") && this->out("i2_init_o") == 639) && c++ < 100) this->clock();
+  while (!(this->out("copy_ext_o") && this->out("i2_init_o") == 639) && c++ < 100) this->clock();
   EXPECT_EQ(this->out("load_o"), 0);  // the last finish keeps dr2
   EXPECT_EQ(this->out("idx_load_o"), 1);
   EXPECT_EQ(this->out("idx_start_o"), 0);

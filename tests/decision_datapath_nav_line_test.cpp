@@ -65,8 +65,8 @@ TYPED_TEST(DecisionDatapathNavLineTest, NavLineTraceOfFrame129) {
     d.set("nav_op_i", row.op);
     d.set("nav_move_i", row.move);
     d.settle();
-    EXPECT_EQ(d.get("axis_o"), 2);
-    EXPECT_EQ(d.get("signs_o"), 0);
+    EXPECT_EQ(d.get("look_axis_o"), 2);
+    EXPECT_EQ(d.get("look_signs_o"), 0);
     d.clock();
     EXPECT_EQ(d.corner(), row.corner);
     EXPECT_EQ(d.get("room_o"), room_of(4, row.j, 0));
@@ -106,8 +106,8 @@ TYPED_TEST(DecisionDatapathNavLineTest, NavLineLooksWhereTheNavigatorLooks) {
       d.set("nav_axis_i", axis);
       d.set("nav_negative_i", negative);
       d.settle();
-      EXPECT_EQ(d.get("axis_o"), axis);
-      EXPECT_EQ(d.get("signs_o") >> axis & 1, negative);
+      EXPECT_EQ(d.get("look_axis_o"), axis);
+      EXPECT_EQ(d.get("look_signs_o") >> axis & 1, negative);
     }
 }
 

@@ -33,8 +33,8 @@ TYPED_TEST(DecisionDatapathTest, TraceOfFrame2MovesTheCornerAsInTheContract) {
   d.descend(Signs, false);
   EXPECT_EQ(d.place(), (At{0, 7, 0}));
   d.ask_descend(Signs, true, room_of(3, 0, 0));
-  EXPECT_EQ(d.get("axis_o"), 0);
-  EXPECT_EQ(d.get("signs_o"), Signs);
+  EXPECT_EQ(d.get("look_axis_o"), 0);
+  EXPECT_EQ(d.get("look_signs_o"), Signs);
   EXPECT_TRUE(d.get("fwrite_o"));
   d.clock();
   EXPECT_EQ(d.place(), (At{0, 7, 1}));
@@ -55,7 +55,7 @@ TYPED_TEST(DecisionDatapathTest, TraceOfFrame2MovesTheCornerAsInTheContract) {
   for (int n = 0; n < 6; ++n) d.descend(Signs, false);
   EXPECT_EQ(d.place(), (At{2, 7, 0})) << "the clock of second counts as a descent too";
   d.ask_descend(Signs, false, room_of(2, 1, 0));
-  EXPECT_EQ(d.get("axis_o"), 2);
+  EXPECT_EQ(d.get("look_axis_o"), 2);
   EXPECT_EQ(d.get("fdata_o"), 0) << "face 0, dom 0";
   d.clock();
   for (int n = 0; n < 6; ++n) d.descend(Signs, false);
@@ -67,8 +67,8 @@ TYPED_TEST(DecisionDatapathTest, TraceOfFrame2MovesTheCornerAsInTheContract) {
   EXPECT_EQ(d.get("hit_face_o"), 0) << "x wall, index 3";
   EXPECT_EQ(d.place(), (At{3, 7, 0}));
   d.ask_climb(tag_of(2, 6), Signs, 0, room_of(2, 0, 0), StateLeft);
-  EXPECT_EQ(d.get("axis_o"), 2) << "back through z";
-  EXPECT_EQ(d.get("signs_o"), 4);
+  EXPECT_EQ(d.get("look_axis_o"), 2) << "back through z";
+  EXPECT_EQ(d.get("look_signs_o"), 4);
   d.clock();
   EXPECT_EQ(d.place(), (At{2, 7, 1}));
   EXPECT_EQ(d.corner(), (vec3{1024, 224, -1})) << "c = 136";

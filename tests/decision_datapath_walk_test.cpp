@@ -88,8 +88,8 @@ struct Walk {
     const int neighbour = d.get("neighbour_i");
     EXPECT_EQ(d.get("fwrite_o"), p.level == 7 && neighbour != SolidRoom);
     if (p.level == 7) {
-      EXPECT_EQ(d.get("axis_o"), face);
-      EXPECT_EQ(d.get("signs_o"), p.signs);
+      EXPECT_EQ(d.get("look_axis_o"), face);
+      EXPECT_EQ(d.get("look_signs_o"), p.signs);
       if (depth) {
         EXPECT_EQ(d.get("fdata_o"), p.code());
       }
@@ -147,8 +147,8 @@ struct Walk {
       d.ask_climb(target, p.signs, depth ? stack[depth - 1] : 0,
                   leave ? p.rooms[depth - 1] : upto(511), n ? StateReturn : StateLeft);
       if (leave) {
-        ASSERT_EQ(d.get("axis_o"), p.face());
-        ASSERT_EQ(d.get("signs_o"), ~p.signs & 7);
+        ASSERT_EQ(d.get("look_axis_o"), p.face());
+        ASSERT_EQ(d.get("look_signs_o"), ~p.signs & 7);
       }
       const bool wall = d.get("wall_o");
       d.clock();

@@ -50,7 +50,7 @@ class NavigatorTest : public testing::Test {
     bench.settle();
   }
 
-  vec3 position() { return bench.read("position"); }
+  vec3 position() { return bench.read("nav_position"); }
   int room_j() { return out("nav_room_o") >> 4 & 15; }
   int out(const char* name) { return bench[name].value(); }
 
@@ -65,7 +65,7 @@ class NavigatorTest : public testing::Test {
     bench["active_start_i"].drive(active_start);
     show_corner();
     const vec3 s = world.half_size(room), r = world.position(room);
-    const int op = out("op_o");
+    const int op = out("nav_op_o");
     vec3 next = corner;
     for (int a = 0; a < 3; ++a) {
       switch (op) {
@@ -79,7 +79,7 @@ class NavigatorTest : public testing::Test {
       }
       next[a] = wrap12(next[a]);
     }
-    if (out("move_o")) room = world.neighbour(room, out("axis_o"), out("negative_o"));
+    if (out("nav_move_o")) room = world.neighbour(room, out("nav_axis_o"), out("nav_negative_o"));
     if (active_start) {  // the tree is re-rooted (contract 11.1)
       next = position();
       room = out("nav_room_o");

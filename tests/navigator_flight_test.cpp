@@ -18,7 +18,7 @@ TYPED_TEST(NavigatorFlightTest, RoomChangeFollowsTheMicroTrace) {
   for (int f = 0; f < 129; ++f) this->frame(f == 0);
   EXPECT_EQ(this->position(), (vec3{0, -224, -128}));
   const auto row = [&](int op, vec3 corner, int room) {
-    EXPECT_EQ(this->out("op_o"), op);
+    EXPECT_EQ(this->out("nav_op_o"), op);
     EXPECT_EQ(this->corner, corner);
     EXPECT_EQ(this->room, room);
   };
@@ -30,12 +30,12 @@ TYPED_TEST(NavigatorFlightTest, RoomChangeFollowsTheMicroTrace) {
   this->clock();
   row(CornerLeavePlus, {128, 32, -1}, 0x04);
   EXPECT_EQ(this->position(), (vec3{0, -224, -129}));
-  EXPECT_EQ(this->out("move_o"), 1);
-  EXPECT_EQ(this->out("axis_o"), 2);
-  EXPECT_EQ(this->out("negative_o"), 0);
+  EXPECT_EQ(this->out("nav_move_o"), 1);
+  EXPECT_EQ(this->out("nav_axis_o"), 2);
+  EXPECT_EQ(this->out("nav_negative_o"), 0);
   this->clock();
   row(CornerAddR, {-1024, -224, -129}, 0x14);
-  EXPECT_EQ(this->out("move_o"), 0);
+  EXPECT_EQ(this->out("nav_move_o"), 0);
   this->clock();
   row(CornerHold, {0, -224, 127}, 0x14);
   EXPECT_EQ(this->room_j(), 0);
@@ -85,8 +85,8 @@ TYPED_TEST(NavigatorFlightTest, LowestAxisThatLeftTheBoxMoves) {
   this->start_nav_line();
   this->clock();
   this->clock();
-  EXPECT_EQ(this->out("move_o"), 1);
-  EXPECT_EQ(this->out("axis_o"), 0);
+  EXPECT_EQ(this->out("nav_move_o"), 1);
+  EXPECT_EQ(this->out("nav_axis_o"), 0);
   for (int n = 0; n < 5; ++n) this->clock();
   EXPECT_EQ(this->room, 5);  // the x neighbour only
 }
@@ -101,9 +101,9 @@ TYPED_TEST(NavigatorFlightTest, BackwardFlightMovesToTheNegativeSide) {
   const int ops[] = {CornerAddVelocity, CornerAddS, CornerSubtract2S, CornerLeaveMinus,
                      CornerAddR,        CornerHold, CornerHold};
   for (const int op : ops) {
-    EXPECT_EQ(this->out("op_o"), op);
-    EXPECT_EQ(this->out("move_o"), op == CornerLeaveMinus);
-    EXPECT_EQ(this->out("negative_o"), op == CornerLeaveMinus);
+    EXPECT_EQ(this->out("nav_op_o"), op);
+    EXPECT_EQ(this->out("nav_move_o"), op == CornerLeaveMinus);
+    EXPECT_EQ(this->out("nav_negative_o"), op == CornerLeaveMinus);
     this->clock();
   }
   EXPECT_EQ(this->position(), (vec3{0, -224, -128}));

@@ -44,11 +44,11 @@ TYPED_TEST(NavigatorTest, ResetHasPriorityInEveryState) {
       this->bench[reset].drive(level);
       this->clock();
       EXPECT_EQ(this->position(), (vec3{0, -224, 0})) << reset << " in clock " << state;
-      EXPECT_EQ(this->out("op_o"), CornerHold) << reset << " in clock " << state;
+      EXPECT_EQ(this->out("nav_op_o"), CornerHold) << reset << " in clock " << state;
       this->bench["start_y_i"].drive(160);
       this->clock(true);  // also over a start
       EXPECT_EQ(this->position(), (vec3{0, 160, 0}));
-      EXPECT_EQ(this->out("op_o"), CornerHold);
+      EXPECT_EQ(this->out("nav_op_o"), CornerHold);
       this->bench[reset].drive(!level);
       this->bench["start_y_i"].drive(-224);
       this->clock();
@@ -82,12 +82,12 @@ TYPED_TEST(NavigatorTest, ControlsFollowTheTableForRandomCorners) {
     int op = fixed_op[state];
     if (state == CheckPlus) op = move ? CornerLeavePlus : CornerSubtract2S;
     if (state == CheckMinus && move) op = CornerLeaveMinus;
-    ASSERT_EQ(this->out("op_o"), op) << "state " << state;
-    ASSERT_EQ(this->out("move_o"), move) << "state " << state;
+    ASSERT_EQ(this->out("nav_op_o"), op) << "state " << state;
+    ASSERT_EQ(this->out("nav_move_o"), move) << "state " << state;
     if (axis >= 0) {
-      ASSERT_EQ(this->out("axis_o"), axis) << "state " << state;
+      ASSERT_EQ(this->out("nav_axis_o"), axis) << "state " << state;
     }
-    ASSERT_EQ(this->out("negative_o"), move && state == CheckMinus) << "state " << state;
+    ASSERT_EQ(this->out("nav_negative_o"), move && state == CheckMinus) << "state " << state;
     const int room = this->room;
     this->bench.clock();
     if (state == Store) {
@@ -99,7 +99,7 @@ TYPED_TEST(NavigatorTest, ControlsFollowTheTableForRandomCorners) {
   for (const int count : visits) EXPECT_GT(count, 100);
 }
 
-// Header, Comb: every corner pin reaches axis_o without a clock.
+// Header, Comb: every corner pin reaches nav_axis_o without a clock.
 TYPED_TEST(NavigatorTest, LookupFollowsEachCornerAlone) {
   this->frame(true);
   this->bench["nav_line_i"].drive(1);
@@ -109,8 +109,8 @@ TYPED_TEST(NavigatorTest, LookupFollowsEachCornerAlone) {
       this->show_corner();
       this->corner[a] = -1;
       this->show_corner();
-      EXPECT_EQ(this->out("axis_o"), a);
-      EXPECT_EQ(this->out("negative_o"), 0);
+      EXPECT_EQ(this->out("nav_axis_o"), a);
+      EXPECT_EQ(this->out("nav_negative_o"), 0);
     }
 }
 
@@ -123,7 +123,7 @@ TYPED_TEST(NavigatorTest, StartNeedsNavLineAndActiveStart) {
     bench["nav_line_i"].drive(nav_line);
     bench["active_start_i"].drive(active_start);
     bench.clock();
-    return this->out("op_o");
+    return this->out("nav_op_o");
   };
   EXPECT_EQ(op_after(false, false), CornerHold);
   EXPECT_EQ(op_after(true, false), CornerHold);

@@ -56,7 +56,7 @@ struct Dut {
   }
   int value(int face, int signs, int y, int shading_b, int starving = 0) {
     bench["hit_face_i"].drive(face);
-    bench["signs_i"].drive(signs);
+    bench["ray_signs_i"].drive(signs);
     bench["y_i"].drive(y);
     bench["shading_b_i"].drive(shading_b);
     bench["starving_i"].drive(starving);

@@ -96,8 +96,8 @@ class SceneTest : public testing::Test {
   Answer look(int flags, int id, Face face, int other_signs = 0) {
     bench["scene_flags_i"].drive(flags);
     bench["room_i"].drive(id);
-    bench["axis_i"].drive(face.axis);
-    bench["signs_i"].drive((other_signs & ~(1 << face.axis)) | face.negative << face.axis);
+    bench["look_axis_i"].drive(face.axis);
+    bench["look_signs_i"].drive((other_signs & ~(1 << face.axis)) | face.negative << face.axis);
     bench.settle();
     return {bench.read("position"), bench.read("half_size"), bench["neighbour_o"].value()};
   }

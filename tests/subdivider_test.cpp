@@ -38,14 +38,14 @@ TYPED_TEST(SubdividerTest, MaskedBitsAloneDecideAndAreStored) {
   d.set("mask_i", SignMask);
   d.see("dec_i", 10);
   d.clock();
-  EXPECT_EQ(d.get("signs_o"), 5);
+  EXPECT_EQ(d.get("ray_signs_o"), 5);
   d.see("dec_i", 11);
   EXPECT_TRUE(d.get("descend_o")) << "the bit does not count";
   d.clock();
   d.set("mask_i", BitMask);
   d.see("dec_i", 1);
   d.clock();
-  EXPECT_EQ(d.get("signs_o"), 5) << "the signs stay";
+  EXPECT_EQ(d.get("ray_signs_o"), 5) << "the signs stay";
   EXPECT_EQ(d.get("cur_o"), 11) << "stored signs and new bit";
   d.see("dec_i", 15);
   EXPECT_TRUE(d.get("descend_o")) << "the signs do not count";

@@ -107,7 +107,7 @@ TYPED_TEST(SubdividerTraceTest, TraceOfFrame2RunsAsInTheContract) {
   f.expect(64, StateLeft, 0, 318, 318, 0, 6);
   EXPECT_EQ(d.get("sp_o"), 1);
   EXPECT_EQ(d.get("sd_o"), 1);
-  EXPECT_EQ(d.get("signs_o"), 3);
+  EXPECT_EQ(d.get("ray_signs_o"), 3);
   f.expect(73, StateBisect, 0, 318, 255, 0, 6);
   EXPECT_TRUE(d.get("push_en_o"));
   EXPECT_EQ(d.step(), -1);

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/set_knob.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "tb/nearest.h"
+
+namespace racebeam {
+
+namespace {
+
+const knob_info& find_knob(const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& row : knob_table()) {
+    if (row.name == name) return row;
+    known.push_back(row.name);
+  }
+  throw unknown_name("knob", name, known);
+}
+
+}  // namespace
+
+void set_knob(knobs& k, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos)
+    throw UsageError("'" + assignment + "' is not of the form knob=value");
+  const knob_info& row = find_knob(assignment.substr(0, equals));
+  const std::string text = assignment.substr(equals + 1);
+  const auto named = std::find(row.names.begin(), row.names.end(), text);
+  int value = row.min - 1;
+  if (named != row.names.end()) {
+    value = row.min + static_cast<int>(named - row.names.begin());
+  } else if (row.names.empty()) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) value = row.min - 1;
+  }
+  if (value < row.min || value > row.max)
+    throw UsageError("knob " + std::string(row.name) + " = '" + text +
+                     "' is out of range; it takes " + row.range() +
+                     (*row.unit ? std::string(" ") + row.unit : ""));
+  k.*row.member = value;
+}
+
+}  // namespace racebeam
