@@ -39,9 +39,7 @@ factor_masks masks(const int (&offsets)[3], int quadrant) {
 }
 
 // A sine factor has 9 bits; delta has one bit less than dr.
-int to_delta(int fraction, const knobs& k) {
-  return k.dr_bits >= DrBits ? fraction << (k.dr_bits - DrBits) : fraction >> (DrBits - k.dr_bits);
-}
+int to_delta(int fraction, const knobs& k) { return rescaled(fraction, DrBits, k.dr_bits); }
 
 }  // namespace
 
@@ -202,9 +200,12 @@ void camera_unit::comb() {
   idx_start_o.drive(o.idx_start);
   i2_init_o.drive(o.i2_init);
   // The tracer's steps are the camera's business only while it rules the stepper.
-  if (!core_.run())
-    next_trigger(step_i->value_changed_event() | stepped_ | line_end_i->value_changed_event() |
-                 rst_ni->value_changed_event() | angle_i->value_changed_event());
+  if (core_.run()) return;
+  if (work_events_.size() == 0)
+    work_events_ = step_i->value_changed_event() | stepped_ | line_end_i->value_changed_event() |
+                   rst_ni->value_changed_event() | y_i->value_changed_event() |
+                   angle_i->value_changed_event();
+  next_trigger(work_events_);
 }
 
 }  // namespace racebeam

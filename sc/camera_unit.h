@@ -5,7 +5,7 @@
 //         subdivider's idx2, so that stepping dr2 from 0 to n pixels multiplies delta by n/512.
 //         Sines and cosines are parabolas: (1-t)(1+t), one factor at a time.
 //         Three passes (forward, down, right), each PRODUCT (of sines), LOAD, SCALE; then RUN.
-// Size    45 register bits; angles are 1/2048 turn, full scale of a sine is 511.
+// Size    45 register bits; an angle t = 2 * angle_i is 1/2048 turn, full scale of a sine is 511.
 // Cycles  44..83 clocks from the start of the line to the first clock of RUN, data dependent.
 // Comb    line_end_i, rst_ni -> tracer_reset_o and all controls; step_i -> controls;
 //         y_i -> i2_init_o; step_i, line_end_i -> src_o; angle_i -> delta_o, ext_sign_o,
@@ -13,7 +13,7 @@
 // Stall   waits in SCALE while step_i.
 // Reset   start of a line, also by line_end_i; ddr keeps its value.
 // Knobs   dr_bits scales full scale.
-// Twin    rtl/camera_unit.sv        Test  tests/camera_unit_test.cpp
+// Test    tests/camera_unit_test.cpp
 // Source  contract section 7; seed 000 "Camera view calculations".
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -107,6 +107,7 @@ class camera_unit : public sc_core::sc_module {
   const knobs knobs_;
   camera_unit_core core_;
   sc_core::sc_event stepped_{"stepped"};
+  sc_core::sc_event_or_list work_events_;
   bool asleep_ = false;
 };
 

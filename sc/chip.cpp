@@ -15,10 +15,8 @@ chip::chip(const sc_core::sc_module_name& name, const knobs& k)
       u_subdivider("u_subdivider", k),
       u_stacks("u_stacks", k),
       u_decision_datapath("u_decision_datapath", k),
-      u_navigator("u_navigator", k),
       u_interval_fifo("u_interval_fifo", k),
-      u_pixel_output("u_pixel_output", k),
-      u_pwm_sound("u_pwm_sound", k) {
+      u_pixel_output("u_pixel_output", k) {
   bind_raster_and_camera();
   bind_tracer();
   bind_output();

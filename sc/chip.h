@@ -1,7 +1,7 @@
 // chip: all units wired with signals under one clock; the `signal` level.
 //
 // The wiring has no arithmetic: a wire carries the name of the port that drives it, without its
-// suffix. Instances are named u_<unit>, as in rtl/racebeam_top.sv.
+// suffix. Instances are named u_<unit>.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -112,10 +112,10 @@ class chip : public sc_core::sc_module {
   stacks u_stacks;
   decision_datapath u_decision_datapath;
   scene u_scene{"u_scene"};
-  navigator u_navigator;
+  navigator u_navigator{"u_navigator"};
   interval_fifo u_interval_fifo;
   pixel_output u_pixel_output;
-  pwm_sound u_pwm_sound;
+  pwm_sound u_pwm_sound{"u_pwm_sound"};
 
  private:
   void bind_raster_and_camera();

@@ -9,8 +9,7 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   const vga_timing_core::inputs timing_in{rst_n, k.speed};
   const auto t = vga_timing.comb(timing_in, k);
   const bool starving = interval_fifo.starving(k);
-  sequencer_core::inputs choose{rst_n, t.frame_end, camera_unit.run(), ray_stepper.dr2_q[1],
-                                0,     t.y};
+  const sequencer_core::inputs choose{rst_n, t.frame_end, camera_unit.run(), ray_stepper.dr2_q[1]};
   const auto s = sequencer.comb(choose, k);
 
   // 4, 5: the decision.
@@ -54,7 +53,7 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
       move.step_size, subdivider.idx2_q, tracer_reset};
 
   // 10, 11: the room and the navigator.
-  const auto nav = navigator.comb(decision_datapath.corner_q);
+  const auto nav = navigator.comb(t.nav_line, decision_datapath.corner_q);
   decision_datapath_core::inputs place{};
   place.tracer_reset = tracer_reset;
   place.restart = move.restart;
@@ -122,10 +121,17 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   subdivider.clock(sub, move, k);
   camera_unit.clock(cam, k);
   interval_fifo.clock(fifo_in, k);
-  pwm_sound.clock({rst_n, k.speed, t.x2, t.y, sequencer.frame_q}, k);
+  pwm_sound.clock({rst_n, k.speed, t.x2, t.y, sequencer.frame_q});
   sequencer.clock(choose);
   vga_timing.clock(timing_in, k);
   return out;
+}
+
+void chip_core::deposit(int frame) {
+  sequencer.frame_q = frame;
+  const navigator_core place = fly_to(frame);
+  navigator.position_q = place.position_q;
+  navigator.room_j_q = place.room_j_q;
 }
 
 navigator_core fly_to(int frame) {
@@ -134,7 +140,7 @@ navigator_core fly_to(int frame) {
   navigator_core navigator;
   const auto flags_of = [&](int f) {
     sequencer.frame_q = f;
-    return sequencer.comb({true, false, false, 0, 0, 0}, k);
+    return sequencer.comb({true, false, false, 0}, k);
   };
   int start = frame;
   while (!flags_of(start).nav_reset) --start;
@@ -145,7 +151,7 @@ navigator_core fly_to(int frame) {
     if (f > start && !s.nav_reset) {
       const auto before = flags_of(f - 1);
       for (int clock = 0; clock < 8; ++clock) {
-        const auto nav = navigator.comb(datapath.corner_q);
+        const auto nav = navigator.comb(true, datapath.corner_q);
         decision_datapath_core::inputs in{};
         in.nav_line = true;
         in.active_start = clock == 0;

@@ -43,6 +43,8 @@ struct chip_core {
 
   /// The pins before the edge, then the edge; `view` receives the wires if given.
   pins clock(bool rst_n, const knobs& k, chip_view* view = nullptr);
+  /// Puts the demo to the start of `frame`; to be called in the first clock of a frame.
+  void deposit(int frame);
 };
 
 /// The navigator at the start of frame `frame` of the demo, 0..12798: flown there frame by frame

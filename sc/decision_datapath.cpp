@@ -55,7 +55,7 @@ void decision_datapath_core::clock(const inputs& in, const knobs& k) {
     if (in.nav_line) {
       corner_q = corner;
       room_q = room;
-      navigate(in, k);
+      navigate(in);
     }
     for (int& c : corner_q) c = wrap_signed(c, k.corner_bits);
   }
@@ -176,7 +176,7 @@ void decision_datapath_core::climb(const inputs& in) {
 }
 
 // The nav_line: the navigator owns the corner and the room.
-void decision_datapath_core::navigate(const inputs& in, const knobs&) {
+void decision_datapath_core::navigate(const inputs& in) {
   for (int a = 0; a < 3; ++a) {
     const int r = in.position[a], s = in.half_size[a];
     switch (in.nav_op) {

@@ -9,17 +9,16 @@
 //         the face it is left by.
 // Size    61 register bits; corner 3 x 12 bits signed, wraps.
 // Cycles  one decision, one descent or one climb a clock; a room change takes two (second = 1).
-// Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; leave_i, climb_i, ray_signs_i, neighbour_i, nav_*_i
-// ->
-//         look_axis_o, look_signs_o, fwrite_o. mask_o, tag_o, wall_o, second_o, room_o, corner_*_o,
-//         hit_face_o: registers only.
+// Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; leave_i, climb_i, ray_signs_i, neighbour_i and the
+//         nav_*_i -> look_axis_o, look_signs_o, fwrite_o. mask_o, tag_o, wall_o, second_o, room_o,
+//         corner_*_o, hit_face_o, fdata_o: registers only.
 // Stall   holds when nothing is asked.
 // Reset   tracer_reset_i, restart_i (not on the nav_line), active_start_i on the nav_line: the
 //         root, depth 0, level 2, at the camera. face, dom and hit_face are not reset.
 // Knobs   dr_bits, corner_bits, corner_factor_bits, partial_products_cut, max_room_depth,
 //         face_stack_depth, skip_shared_edges (the levels of an edge that lies on the edge of the
 //         face are passed over).
-// Twin    rtl/decision_datapath.sv        Test  tests/decision_datapath_test.cpp
+// Test    tests/decision_datapath_test.cpp
 // Source  contract section 11; seed 000 "Geometry tests", "Subdeterminant calculation".
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -119,7 +118,7 @@ struct decision_datapath_core {
   int shared_edges(const inputs& in, const knobs& k) const;
   void go_to_test(int level, const inputs& in);
   void climb(const inputs& in);
-  void navigate(const inputs& in, const knobs& k);
+  void navigate(const inputs& in);
   void hit_wall(int face) {
     if (!wall_q) hit_face_q = face;
     wall_q = true;

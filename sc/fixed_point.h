@@ -21,6 +21,11 @@ constexpr int wrap_signed(int raw, int bits) {
   return static_cast<int>(static_cast<std::uint32_t>(raw) << shift) >> shift;
 }
 
+/// A signed number of `from` bits as one of `to` bits: low bits are dropped or 0.
+constexpr int rescaled(int value, int from, int to) {
+  return from >= to ? value >> (from - to) : value * (1 << (to - from));
+}
+
 /// Bit `index` of `word`.
 constexpr bool bit_of(int word, int index) { return (word >> index) & 1; }
 

@@ -8,11 +8,13 @@
 // Size    10 entries: head 11 + 2 bits (signed length minus one), 8 x (6 + 2), tail 6 + 2.
 //         The interval 0..639 is shown one column late: the queue starts with one pixel of index 0.
 // Cycles  one accepted interval a clock; shown from the next clock on.
-// Comb    emit_i, len_m1_i, value_i, consume_i -> ack_o. starving_o, display_o: registers only.
-// Stall   no ack while full, while the head splits, and while the head alone is eaten.
+// Comb    emit_i, len_m1_i, value_i, consume_i -> ack_o. starving_o, display_o, fill_o:
+//         registers only.
+// Stall   no ack while the head splits or the head alone is eaten; while full only an interval of
+//         the head's own colour is taken.
 // Reset   one pixel of index 0 (tracer_reset_i).
 // Knobs   fifo_entries, fifo_short_length_bits.
-// Twin    rtl/interval_fifo.sv        Test  tests/interval_fifo_test.cpp
+// Test    tests/interval_fifo_test.cpp
 // Source  contract section 14; seed 000 "Interval FIFO".
 //
 // SPDX-FileCopyrightText: racebeam contributors

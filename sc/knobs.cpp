@@ -39,7 +39,7 @@ const std::vector<knob_info>& knob_table() {
        14,
        {},
        "rooms",
-       "depth at which the next face counts as a wall",
+       "depth at which the next face is a wall; face_stack_depth - 1 if that is less",
        "contract 11.5"},
       {"fifo_entries",
        &knobs::fifo_entries,

@@ -4,7 +4,8 @@
 
 namespace racebeam {
 
-navigator_core::outputs navigator_core::comb(const vec3& corner) const {
+navigator_core::outputs navigator_core::comb(bool nav_line, const vec3& corner) const {
+  if (!nav_line) return {0, false, CornerHold, false};
   const bool odd = nav_state_q & 1;
   int axis = 0;
   bool any = false;
@@ -47,7 +48,7 @@ void navigator_core::clock(const inputs& in) {
     nav_state_q = NavAdjust;
     return;
   }
-  const bool move = comb(in.corner).move;
+  const bool move = comb(true, in.corner).move;
   switch (nav_state_q) {
     case NavAdjust: nav_state_q = NavToPlus; break;
     case NavToPlus: nav_state_q = NavCheckPlus; break;
@@ -58,7 +59,7 @@ void navigator_core::clock(const inputs& in) {
   }
 }
 
-navigator::navigator(const sc_core::sc_module_name& name, const knobs&) : sc_module(name) {
+navigator::navigator(const sc_core::sc_module_name& name) : sc_module(name) {
   SC_HAS_PROCESS(navigator);
   SC_METHOD(seq);
   sensitive << rst_ni << nav_reset_i << nav_line_i << active_start_i << start_y_i;
@@ -84,7 +85,7 @@ void navigator::seq() {
 void navigator::comb() {
   nav_position_o.drive(core_.position_q);
   nav_room_o.drive(core_.room());
-  const auto o = core_.comb(corner_i.signed_value());
+  const auto o = core_.comb(nav_line_i.value(), corner_i.signed_value());
   nav_axis_o.drive(o.axis);
   nav_negative_o.drive(o.negative);
   nav_op_o.drive(o.op);

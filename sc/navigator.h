@@ -7,10 +7,11 @@
 // Size    22 register bits: state 3, x 3 (steps of 64), y 3 (odd multiples of 32), z 9, room j 4;
 //         room i = 4 and k = 0 are wired.
 // Cycles  starts in the clock after active_start_i, done 6 clocks later at most.
-// Comb    corner_*_i (signs) -> nav_axis_o, nav_negative_o, nav_op_o, nav_move_o.
+// Comb    nav_line_i, corner_*_i (signs) -> nav_axis_o, nav_negative_o, nav_op_o, nav_move_o; off
+//         the nav_line: axis 0, hold.
 // Stall   none.
 // Reset   rst_ni or nav_reset_i: start position (0, start_y, 0), room j = 0, idle.
-// Twin    rtl/navigator.sv        Test  tests/navigator_test.cpp
+// Test    tests/navigator_test.cpp
 // Source  contract section 13.
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -18,7 +19,6 @@
 #pragma once
 
 #include "sc/constants.h"
-#include "sc/knobs.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -66,7 +66,7 @@ struct navigator_core {
 
   static constexpr int wired_room_i = 4;
   int room() const { return room_j_q << 4 | wired_room_i; }
-  outputs comb(const vec3& corner) const;
+  outputs comb(bool nav_line, const vec3& corner) const;
   void clock(const inputs& in);
 };
 
@@ -92,7 +92,7 @@ class navigator : public sc_core::sc_module {
   out_port<3> nav_op_o{"nav_op_o"};              // corner_op
   out_port<1> nav_move_o{"nav_move_o"};          // room := neighbour
 
-  navigator(const sc_core::sc_module_name& name, const knobs& k);
+  explicit navigator(const sc_core::sc_module_name& name);
 
   const navigator_core& core() const { return core_; }
   /// Puts the camera to the place of `from` (back door, between clocks).

@@ -19,9 +19,7 @@ constexpr int palettes[4][4] = {
 
 // Bit `index` and the one below it of a dr element, counted for 10 bits.
 int dr_bits(int dr, int index, const knobs& k) {
-  const int scaled =
-      k.dr_bits >= DrBits ? dr >> (k.dr_bits - DrBits) : dr * (1 << (DrBits - k.dr_bits));
-  return scaled >> (index - 1) & 3;
+  return rescaled(dr, k.dr_bits, DrBits) >> (index - 1) & 3;
 }
 
 }  // namespace

@@ -238,8 +238,7 @@ void pwm_sound_core::add_voice(const inputs& in, int voice) {
   }
 }
 
-pwm_sound::pwm_sound(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+pwm_sound::pwm_sound(const sc_core::sc_module_name& name) : sc_module(name) {
   SC_HAS_PROCESS(pwm_sound);
   SC_METHOD(seq);
   sensitive << clk_i.pos();
@@ -249,8 +248,7 @@ pwm_sound::pwm_sound(const sc_core::sc_module_name& name, const knobs& k)
 
 void pwm_sound::seq() {
   core_.clock({rst_ni.value() != 0, speed_i.value(), x2_i.signed_value(), y_i.signed_value(),
-               frame_i.value()},
-              knobs_);
+               frame_i.value()});
   comb();
 }
 

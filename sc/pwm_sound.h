@@ -19,7 +19,7 @@
 //         lines). The slot clocks 0, 1, 29, 31 occur at every speed.
 // Reset   phase, accumulator and carry are 0; the PWM counter is not reset (0 at power-up: pin 1).
 // Knobs   none; right only at the default clocks_per_pixel, 2, where x2 counts clocks.
-// Twin    rtl/pwm_sound.sv        Test  tests/pwm_sound_test.cpp
+// Test    tests/pwm_sound_test.cpp
 // Source  contract section 16 (interface); seed 000 S0-05, S0-104. Voices and tune are our own.
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -27,7 +27,6 @@
 #pragma once
 
 #include "sc/constants.h"
-#include "sc/knobs.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -71,7 +70,7 @@ struct pwm_sound_core {
 
   outputs comb() const { return {!bit_of(pwm_q, 10)}; }
 
-  void clock(const inputs& in, const knobs&) {
+  void clock(const inputs& in) {
     if (bit_of(pwm_q, 10)) pwm_q = (pwm_q + 1) & low_bits(11);
     if (is_busy(in.x2) || !in.rst_n) slot_clock(in);
   }
@@ -105,7 +104,7 @@ class pwm_sound : public sc_core::sc_module {
   in_port<10> y_i{"y_i"};          // signed, scan line, -273..251
   in_port<14> frame_i{"frame_i"};  // 0..12798
 
-  pwm_sound(const sc_core::sc_module_name& name, const knobs& k);
+  explicit pwm_sound(const sc_core::sc_module_name& name);
 
   const pwm_sound_core& core() const { return core_; }
 
@@ -113,7 +112,6 @@ class pwm_sound : public sc_core::sc_module {
   void seq();
   void comb();
 
-  const knobs knobs_;
   pwm_sound_core core_;
 };
 

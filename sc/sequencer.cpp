@@ -48,8 +48,7 @@ sequencer_core::outputs sequencer_core::comb(const inputs& in, const knobs& k) c
   o.nav_reset = frame_q % 2048 == 0 || ((part() == 1 || part() == 4) && frame_q % 256 == 0);
   o.lock = false;
   if (lock_enabled()) {
-    const int gate = k.dr_bits >= DrBits ? in.dr2_y >> (k.dr_bits - DrBits)
-                                         : in.dr2_y * (1 << (DrBits - k.dr_bits));
+    const int gate = rescaled(in.dr2_y, k.dr_bits, DrBits);
     if (lock_partial() && (gate >> 6 & 3) == 0) {
       o.palette = pattern() <= 1 ? 0 : (measure() & 2 ? 0 : 1);
     } else {
@@ -92,7 +91,7 @@ sequencer::sequencer(const sc_core::sc_module_name& name, const knobs& k)
 void sequencer::seq() {
   if (counting_) {
     const int before = core_.frame_q;
-    core_.clock({rst_ni.value() != 0, frame_end_i.value() != 0, false, 0, 0, 0});
+    core_.clock({rst_ni.value() != 0, frame_end_i.value() != 0, false, 0});
     if (core_.frame_q != before) frame_changed_.notify(sc_core::SC_ZERO_TIME);
   }
   counting_ = !rst_ni.value() || frame_end_i.value() || core_.frame_q == DemoFrames;
@@ -101,8 +100,7 @@ void sequencer::seq() {
 }
 
 void sequencer::comb() {
-  const auto o =
-      core_.comb({true, false, run_i.value() != 0, dr2_y_i.signed_value(), 0, 0}, knobs_);
+  const auto o = core_.comb({true, false, run_i.value() != 0, dr2_y_i.signed_value()}, knobs_);
   frame_o.drive(core_.frame_q);
   scene_flags_o.drive(o.scene_flags);
   palette_o.drive(o.palette);

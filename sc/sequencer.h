@@ -10,7 +10,7 @@
 //         src_i, y_i -> angle_o.
 // Stall   none.
 // Reset   frame 0.
-// Twin    rtl/sequencer.sv        Test  tests/sequencer_test.cpp
+// Test    tests/sequencer_test.cpp
 // Source  contract sections 7.5, 13, 17.1, 17.3, 17.4, 17.5.
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -43,8 +43,6 @@ struct sequencer_core {
   struct inputs {
     bool rst_n, frame_end, run;
     int dr2_y;  // signed, dr_bits wide
-    int src;
-    int y;  // signed
   };
   struct outputs {
     int scene_flags, palette, variant, start_y, velocity_z;

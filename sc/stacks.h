@@ -6,11 +6,11 @@
 //         depth - 1; reads at depth 0 or above its size give 0, writes above its size are lost.
 // Size    4 x 17 bits and 9 x 2 bits, flip-flops.
 // Cycles  a write is read from the next clock on.
-// Comb    sp_i -> top_tag_o, top_i2_o; depth_i -> fread_o.
+// Comb    sp_i -> top_tag_o, top_i2_o; tag_i -> fread_o.
 // Stall   none.
 // Reset   none; 0 at power-up, never cleared (contract 18, item S).
 // Knobs   interval_stack_depth, face_stack_depth.
-// Twin    rtl/stacks.sv        Test  tests/stacks_test.cpp
+// Test    tests/stacks_test.cpp
 // Source  contract section 10; seed 000 "Stack underflow".
 //
 // SPDX-FileCopyrightText: racebeam contributors

@@ -9,8 +9,8 @@ namespace racebeam {
 subdivider_core::outputs subdivider_core::comb(const inputs& in, const knobs& k) const {
   outputs o;
   const bool hit_now = hit(in, k);
-  o.returning = !in.tracer_reset && (hit_now || state_q == StateReturn);
-  const bool pending = o.returning && !emit_done_q && !line_done_q && !in.ack;
+  o.returning = returning(in, k);
+  const bool pending = emit(in, k) && !in.ack;
   const bool need_climb = o.returning && (in.tag != in.top_tag || in.second);
   o.climb = need_climb && !pending;
   const bool enable = !need_climb && !in.second && !pending;

@@ -9,14 +9,14 @@
 //         runs on.
 // Size    64 register bits. Pixels are 10 bits and wrap.
 // Cycles  one decision a clock and end; bisection of width w about log2(w); a return at least 2.
-// Comb    wall_i, starving_i -> emit_o; and with dec_i, mask_i, second_i, tag_i, top_tag_i,
-//         top_i2_i, ack_i, lock_i, consume_i, tracer_reset_i -> step_o, neg_o, step_size_o,
-//         copy_sub_o, push_en_o, descend_o, climb_o, cur_o, leave_o, restart_o. state_o, i2_o,
-//         idx2_o, len_m1_o, ray_signs_o, sp_o, sd_o, line_done_o: registers only.
+// Comb    tracer_reset_i, wall_i, starving_i -> emit_o; and with dec_i, mask_i, second_i, tag_i,
+//         top_tag_i, top_i2_i, ack_i, lock_i, consume_i -> step_o, neg_o, step_size_o, copy_sub_o,
+//         push_en_o, descend_o, climb_o, cur_o, leave_o, restart_o. state_o, i2_o, idx2_o,
+//         len_m1_o, ray_signs_o, sp_o, sd_o, line_done_o: registers only.
 // Stall   holds in RETURN while an offer is not accepted; in LEFT while second_i.
 // Reset   tracer_reset_i: LEFT, i1 = 0, i2 = i2_init_i, stack empty; idx2 is camera_unit's.
 // Knobs   interval_stack_depth, hurry_threshold, bisection.
-// Twin    rtl/subdivider.sv        Test  tests/subdivider_test.cpp
+// Test    tests/subdivider_test.cpp
 // Source  contract section 9; seed 000 "Subdivision" and "Stepping the dr vector".
 //
 // SPDX-FileCopyrightText: racebeam contributors

@@ -4,6 +4,8 @@
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,11 +42,9 @@ using Json = nlohmann::json;
 
 template <class Unit>
 std::unique_ptr<sc_core::sc_module> make() {
-  return std::make_unique<Unit>("unit", knobs{});
-}
-template <>
-std::unique_ptr<sc_core::sc_module> make<scene>() {
-  return std::make_unique<scene>("unit");
+  if constexpr (std::is_constructible_v<Unit, const char*, knobs>)
+    return std::make_unique<Unit>("unit", knobs{});
+  else return std::make_unique<Unit>("unit");
 }
 
 struct UnitRow {
@@ -155,6 +155,7 @@ Json run_apart(const std::function<void()>& prepare) {
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process");
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // do not outlive the program
     close(ends[0]);
     prepare();
     std::ostringstream out;
@@ -215,14 +216,14 @@ int command_bench(const BenchOptions& options) {
     if (options.units.empty() ||
         std::find(options.units.begin(), options.units.end(), row.name) != options.units.end())
       collect(run_apart([&] { register_unit(row, options.repeats); }), options.json, all);
-  if (options.json)
-    print(Json{{"schema", "racebeam-bench"},
-               {"version", 1},
-               {"frames", options.frames},
-               {"repeats", options.repeats},
-               {"medians", all}}
-              .dump(2) +
-          "\n");
+  if (options.json) {
+    Json report{{"schema", "racebeam-bench"},
+                {"version", 1},
+                {"repeats", options.repeats},
+                {"medians", all}};
+    if (options.units.empty()) report["frames"] = options.frames;
+    print(report.dump(2) + "\n");
+  }
   return ExitGood;
 }
 

@@ -120,9 +120,9 @@ std::vector<Check> check_files() {
 
 std::vector<OptionalTool> find_tools() {
   std::vector<OptionalTool> tools = {
-      {"verilator", "verilator", "runs the RTL twins", ""},
+      {"verilator", "verilator", "translates SystemVerilog; not needed yet", ""},
       {"gtkwave", "gtkwave", "shows waveforms", ""},
-      {"yosys", "yosys", "synthesises the RTL", ""},
+      {"yosys", "yosys", "synthesises SystemVerilog; not needed yet", ""},
       {"sox", "sox", "plays sound and draws spectrograms", ""},
   };
   for (OptionalTool& tool : tools) tool.path = find_in_path(tool.name);

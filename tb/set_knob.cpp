@@ -34,7 +34,10 @@ void set_knob(knobs& k, const std::string& assignment) {
     value = row.min + static_cast<int>(named - row.names.begin());
   } else if (row.names.empty()) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) value = row.min - 1;
+    if (error == std::errc::invalid_argument || end != text.data() + text.size())
+      throw UsageError("knob " + std::string(row.name) + " = '" + text +
+                       "' is not a whole number; it takes " + row.range());
+    if (error != std::errc()) value = row.min - 1;
   }
   if (value < row.min || value > row.max)
     throw UsageError("knob " + std::string(row.name) + " = '" + text +

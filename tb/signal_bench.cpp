@@ -65,11 +65,11 @@ struct SignalBench::Platform {
       : options(o),
         period(clock_period(o.k)),
         raster(o.k.clocks_per_pixel, o.k.speed),
-        clk("clk", period),
+        clk("clk", period, 0.5, period),
         dut("chip", o.k),
         vga(raster, [this](const VgaFrame& f) { picture = f; }, {o.crc, o.crc}),
         sound(o.sound ? new SoundMonitor : nullptr),
-        pins("pins", sc_core::SC_ZERO_TIME, period, &vga, sound.get()),
+        pins("pins", period, period, &vga, sound.get()),
         stats(o.stats ? new StatsProbe("stats", dut) : nullptr) {
     dut.clk_i(clk);
     dut.rst_ni(rst_n);
@@ -81,9 +81,9 @@ struct SignalBench::Platform {
     pins.pwm_i(pwm);
     if (stats) stats->clk_i(clk);
 
-    // One edge in reset; then we stand inside the first clock of frame 0, and after each frame
-    // inside the first clock of the next.
-    sc_core::sc_start(period / 4);
+    // One edge in reset, after all wires have settled; then we stand inside the first clock of
+    // frame 0, and after each frame inside the first clock of the next.
+    sc_core::sc_start(period * 1.25);
     speed.write(o.k.speed);
     no_interlace.write(!o.k.interlace);
     rst_n.write(true);

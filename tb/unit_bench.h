@@ -1,7 +1,7 @@
 // One unit alone on the bench: every port gets a wire, reached by the port's name.
 //
-// Works for any module whose ports are in_port and out_port, model or RTL twin, so that one test
-// runs on both. A missing or misspelt port name throws.
+// Works for any module whose ports are in_port and out_port, so that a test needs no code for the
+// pins of a unit. A missing or misspelt port name throws.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -138,6 +138,29 @@ TYPED_TEST(CameraUnitTest, LineEndAndResetActWithinTheClock) {
   }
 }
 
+// Header, Comb: in every clock before RUN, i2_init_o follows y_i alone (contract 7.4, target of
+// pass 1).
+TYPED_TEST(CameraUnitTest, TargetOfTheDownPassFollowsTheLineWithinTheClock) {
+  this->start_line(view_of(700, 0, 3), 3);
+  int followed = 0;
+  while (!this->out("run_o")) {
+    this->drive("y_i", 100);
+    this->bench->settle();
+    const int at_100 = this->out("i2_init_o");
+    this->drive("y_i", 5);
+    this->bench->settle();
+    const int at_5 = this->out("i2_init_o");
+    if (at_100 == (100 ^ 256)) {
+      EXPECT_EQ(at_5, 5 ^ 256);
+      ++followed;
+    } else {
+      EXPECT_EQ(at_5, at_100);
+    }
+    this->clock();
+  }
+  EXPECT_GE(followed, 3);  // LOAD and SCALE of pass 1
+}
+
 // Contract 7.4, phase RUN.
 TYPED_TEST(CameraUnitTest, RunHoldsWhateverTheTracerDoes) {
   this->run_line(view_of(1400, 0, -240), -240);

@@ -30,15 +30,16 @@ TEST_P(ChipKnobs, WiresGiveThePinsAndCountersOfTheCores) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Settings, ChipKnobs,
-    testing::Values("interval_stack_depth=1", "interval_stack_depth=64", "face_stack_depth=4",
-                    "max_room_depth=14", "fifo_entries=3", "fifo_entries=64",
-                    "fifo_short_length_bits=3", "hurry_threshold=-1", "dr_bits=8", "dr_bits=13",
-                    "corner_bits=11", "corner_factor_bits=6", "corner_factor_bits=12",
-                    "partial_products_cut=0", "bisection=midpoint", "stepping=fraction",
-                    "interlace=off", "dithering=off", "clocks_per_pixel=1", "clocks_per_pixel=3",
-                    "skip_shared_edges=on", "speed=7"));
+INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs,
+                         testing::Values("interval_stack_depth=1", "interval_stack_depth=64",
+                                         "face_stack_depth=4", "max_room_depth=5", "fifo_entries=3",
+                                         "fifo_entries=64", "fifo_short_length_bits=3",
+                                         "hurry_threshold=-1", "dr_bits=8", "dr_bits=13",
+                                         "corner_bits=11", "corner_factor_bits=6",
+                                         "corner_factor_bits=12", "partial_products_cut=0",
+                                         "bisection=midpoint", "stepping=fraction", "interlace=off",
+                                         "dithering=off", "clocks_per_pixel=1",
+                                         "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7"));
 
 /// Statistics of a frame with one knob changed.
 FrameStats with(const char* setting, int frame = CrowdedFrame) {
@@ -59,6 +60,15 @@ TEST(KnobEffects, DeepStackNeverRestartsAndShallowStackRestartsMore) {
 TEST(KnobEffects, FaceStackLimitsTheRoomDepthToOneLessThanItsEntries) {
   EXPECT_EQ(with("face_stack_depth=4").decisions(), with("max_room_depth=3").decisions());
   EXPECT_LT(with("max_room_depth=3").rooms_entered, chip().rooms_entered);
+}
+
+TEST(KnobEffects, DeeperRoomsNeedADeeperFaceStack) {
+  constexpr int FarView = 5555;  // tunnel
+  knobs deep;
+  deep.max_room_depth = 14;
+  EXPECT_EQ(CoreBench(deep, FarView).render().pins_crc, CoreBench({}, FarView).render().pins_crc);
+  deep.face_stack_depth = 15;
+  EXPECT_NE(CoreBench(deep, FarView).render().pins_crc, CoreBench({}, FarView).render().pins_crc);
 }
 
 TEST(KnobEffects, SmallFifoStallsTheTracerMore) {

@@ -21,10 +21,7 @@ class CoreBench {
   explicit CoreBench(const knobs& k, int first = 0)
       : knobs_(k), raster_(k.clocks_per_pixel, k.speed) {
     chip_.clock(false, k);
-    chip_.sequencer.frame_q = first;
-    const auto place = fly_to(first);
-    chip_.navigator.position_q = place.position_q;
-    chip_.navigator.room_j_q = place.room_j_q;
+    chip_.deposit(first);
   }
 
   struct Frame {

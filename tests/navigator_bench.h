@@ -133,7 +133,7 @@ class NavigatorTest : public testing::Test {
   World world;
   vec3 corner{};
   int room = 4;
-  Unit unit{"dut", knobs{}};
+  Unit unit{"dut"};
   UnitBench bench{unit};
 };
 

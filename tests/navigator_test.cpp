@@ -114,6 +114,18 @@ TYPED_TEST(NavigatorTest, LookupFollowsEachCornerAlone) {
     }
 }
 
+// Header, Comb: off the nav_line the lookup rests, wherever the corner is.
+TYPED_TEST(NavigatorTest, OffTheNavLineTheLookupRests) {
+  this->frame(true);
+  for (const int nav_line : {1, 0}) {
+    this->bench["nav_line_i"].drive(nav_line);
+    this->corner = {5, 5, -1};
+    this->show_corner();
+    EXPECT_EQ(this->out("nav_axis_o"), nav_line ? 2 : 0);
+    EXPECT_EQ(this->out("nav_op_o"), CornerHold);
+  }
+}
+
 // Contract 13: a start needs nav_line and active_start in the same clock, in any order of arrival.
 TYPED_TEST(NavigatorTest, StartNeedsNavLineAndActiveStart) {
   auto& bench = this->bench;
