@@ -53,6 +53,12 @@ void add_render(CLI::App& app, RenderOptions& options) {
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
   file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
   file("--stats", options.stats, "FILE.json", "Statistics");
+  render
+      ->add_option("--golden", options.golden,
+                   "trace2, trace4, geometry: render with this golden tracer instead of the chip; "
+                   "compare: both, and why they differ")
+      ->type_name("TRACER")
+      ->check(NotEmpty);
   render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
   render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
 }
@@ -80,17 +86,21 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 // CLI11's error in words that say what to do.
 UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
-  const std::string name = chosen.empty() ? ProgramName : ProgramName + (" " + command.get_name());
+  const CLI::App* chosen = &app;
+  std::string name = ProgramName;
+  while (!chosen->get_subcommands().empty()) {
+    chosen = chosen->get_subcommands().front();
+    name += " " + chosen->get_name();
+  }
+  const CLI::App& command = *chosen;
   const std::vector<std::string> rest = app.remaining(true);
   const std::string first = rest.empty() ? "" : rest.front();
   if (first.size() > 1 && first[0] == '-')
     return unknown_name("option", first.substr(0, first.find('=')), option_names(command));
-  if (chosen.empty()) {
-    std::vector<std::string> known;
-    for (const CLI::App* one : app.get_subcommands(nullptr)) known.push_back(one->get_name());
-    return first.empty() ? UsageError("a command is missing; `racebeam --help` lists them")
+  std::vector<std::string> known;
+  for (const CLI::App* one : command.get_subcommands(nullptr)) known.push_back(one->get_name());
+  if (!known.empty()) {
+    return first.empty() ? UsageError("a command is missing; `" + name + " --help` lists them")
                          : unknown_name("command", first, known);
   }
   const std::string help = "; `" + name + " --help` shows what it takes";

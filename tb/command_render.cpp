@@ -3,14 +3,17 @@
 #include "tb/command_render.h"
 
 #include <exception>
+#include <optional>
 #include <string>
 
 #include "tb/console.h"
 #include "tb/demo_parts.h"
 #include "tb/errors.h"
+#include "tb/golden/golden_compare.h"
 #include "tb/interrupt.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
+#include "tb/render_golden.h"
 #include "tb/signal_bench.h"
 #include "tb/stats_json.h"
 #include "tb/stats_table.h"
@@ -24,15 +27,22 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
                    StatsReport& report) {
   Progress progress(plan.frames);
   progress.draw(0, 0);
-  if (!plan.json) print(table_header(plan.crc));
+  if (!plan.json) print(table_header(plan.crc, plan.compare));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
     bench.seek(plan.frame(i));
     const SignalBench::Frame frame = bench.render();
     const std::string part = demo_part(frame.number).name();
     files.add(frame.number, part, frame.picture);
-    report.add(frame.number, part, *frame.stats, frame.picture, plan.crc);
+    std::optional<GoldenCounts> golden;
+    if (plan.compare) {
+      const GoldenReport found = golden_compare(frame.number, plan.k, frame.picture.colours);
+      golden = found.counts;
+      files.add_difference(frame.number, found.difference);
+    }
+    report.add(frame.number, part, *frame.stats, frame.picture, plan.crc, golden);
     progress.clear();
-    if (!plan.json) print(table_row(frame.number, part, *frame.stats, frame.picture, plan.crc));
+    if (!plan.json)
+      print(table_row(frame.number, part, *frame.stats, frame.picture, plan.crc, golden));
     progress.draw(i + 1, bench.clocks());
   }
 }
@@ -42,22 +52,33 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
 int command_render(const RenderOptions& options) {
   const RenderPlan plan = plan_render(options);
   catch_interrupts();
+  if (plan.tracer) return render_golden(plan);
   RenderFiles files(plan);
   SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty()});
   StatsReport report(plan.scene, plan.level, plan.k);
-  std::exception_ptr broken_sync;
+  std::exception_ptr failure;
   try {
     render_frames(plan, bench, files, report);
   } catch (const SyncError&) {
-    broken_sync = std::current_exception();
+    failure = std::current_exception();
+  } catch (const OutputError&) {
+    failure = std::current_exception();
   }
   const std::string stats = report.text();
-  files.finish(bench.sound(), stats);
+  try {
+    files.finish(bench.sound(), stats);  // what belongs to the whole frames so far
+  } catch (const OutputError&) {
+    if (!failure) throw;
+    std::rethrow_exception(failure);
+  }
+  if (failure) {
+    tell("stopped early; kept " + files.summary());
+    std::rethrow_exception(failure);
+  }
   if (plan.json) print(stats);
   else if (report.frames() > 1) print(table_total(report));
   const bool whole = report.frames() == plan.frames;
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
-  if (broken_sync) std::rethrow_exception(broken_sync);
   return whole ? ExitGood : ExitInterrupted;
 }
 

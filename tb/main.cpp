@@ -37,7 +37,9 @@ int run(int argc, char** argv) {
     return ExitUsage;
   } catch (const OutputError& error) {
     tell(error.what());
-    tell("nothing half-written is left; free some space or choose another place");
+    tell(
+        "whole files are kept, nothing half-written is left; choose another place or free some "
+        "space");
     return ExitUsage;
   } catch (const MissingTool& error) {
     tell(error.what());

@@ -34,8 +34,8 @@ void Progress::draw(int frames_done, std::uint64_t clocks) {
                                  std::string(BarWidth - filled, '.'), frames_done, frames_);
   if (frames_done > 0 && seconds > 0) {
     const int left = static_cast<int>(seconds / frames_done * (frames_ - frames_done) + 0.5);
-    line += fmt::format("  {:.1f} M clocks/s  {}:{:02} left", clocks / seconds / 1e6, left / 60,
-                        left % 60);
+    if (clocks > 0) line += fmt::format("  {:.1f} M clocks/s", clocks / seconds / 1e6);
+    line += fmt::format("  {}:{:02} left", left / 60, left % 60);
   }
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);

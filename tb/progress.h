@@ -18,7 +18,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Draws the bar: frames done, clocks a second on average, time to finish.
+  /// Draws the bar: frames done, clocks a second on average if there were any, time to finish.
   void draw(int frames_done, std::uint64_t clocks);
   /// Removes the bar, so that something else can be printed.
   void clear();

@@ -28,6 +28,8 @@ constexpr int SheetColumns = 4;
 
 std::string picture_name(int frame) { return fmt::format("frame_{:04}.png", frame); }
 
+std::string difference_name(int frame) { return fmt::format("difference_{:04}.png", frame); }
+
 // Writes a byte and takes it back.
 void try_writing(const std::string& path) {
   if (path.empty()) return;
@@ -38,25 +40,33 @@ void try_writing(const std::string& path) {
     throw OutputError(path, errno, "");
 }
 
-// Returns whether it is new.
-bool make_folder(const std::string& folder) {
+// Makes the folder and those above it; returns the new ones, innermost first.
+std::vector<fs::path> make_folder(const std::string& folder) {
   std::error_code error, ignored;
-  const bool created = fs::create_directories(folder, error);
-  if (error && !fs::is_directory(folder, ignored)) throw OutputError(folder, error.value(), "");
-  return created;
+  std::vector<fs::path> made;
+  for (fs::path level = fs::absolute(folder).lexically_normal();
+       !level.empty() && !fs::exists(level, ignored); level = level.parent_path())
+    if (level.has_filename()) made.push_back(level);
+  fs::create_directories(folder, error);
+  if (error && !fs::is_directory(folder, ignored)) {
+    for (const auto& level : made) fs::remove(level, ignored);
+    throw OutputError(folder, error.value(), "");
+  }
+  return made;
 }
 
 }  // namespace
 
 RenderFiles::RenderFiles(const RenderPlan& plan) : plan_(plan) {
-  const bool new_folder = !plan_.folder.empty() && make_folder(plan_.folder);
+  std::vector<fs::path> made;
+  if (!plan_.folder.empty()) made = make_folder(plan_.folder);
   try {
     if (!plan_.folder.empty()) try_writing(in_folder(picture_name(plan_.first)));
     for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
       try_writing(path);
   } catch (const OutputError&) {
     std::error_code ignored;
-    if (new_folder) fs::remove(plan_.folder, ignored);
+    for (const auto& level : made) fs::remove(level, ignored);
     throw;
   }
   if (!plan_.gif.empty())
@@ -79,17 +89,25 @@ void RenderFiles::add(int frame, const std::string& part, const VgaFrame& pictur
   if (!plan_.sheet.empty()) sheet_.push_back({picture.colours, fmt::format("{} {}", frame, part)});
 }
 
+void RenderFiles::add_difference(int frame, const std::vector<std::uint8_t>& colours) {
+  if (plan_.folder.empty()) return;
+  in_folder_.push_back(difference_name(frame));
+  write_png(in_folder(in_folder_.back()), colours, VisibleColumns, VisibleRows);
+}
+
 void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
+  // What tells about the pictures comes first: on a full disk it is the best to have.
+  if (!plan_.folder.empty() && frames_ > 0) {
+    write_text(in_folder(StatsName), stats);
+    in_folder_.push_back(StatsName);
+    write_text(in_folder(ManifestName), manifest());
+  }
+  if (!plan_.stats.empty() && frames_ > 0) write_text(plan_.stats, stats);
   if (gif_ && frames_ > 0) gif_->close();
   gif_.reset();
   if (!sheet_.empty())
     write_contact_sheet(plan_.sheet, sheet_, VisibleColumns, VisibleRows, SheetColumns);
   if (!plan_.wav.empty() && sound && frames_ > 0) sound->write_wav(plan_.wav);
-  if (!plan_.stats.empty()) write_text(plan_.stats, stats);
-  if (plan_.folder.empty()) return;
-  write_text(in_folder(StatsName), stats);
-  in_folder_.push_back(StatsName);
-  write_text(in_folder(ManifestName), manifest());
 }
 
 std::string RenderFiles::manifest() const {

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ class RenderFiles {
 
   /// A whole frame. Throws OutputError.
   void add(int frame, const std::string& part, const VgaFrame& picture);
+
+  /// Where a whole frame differs from the golden tracers; into the folder. Throws OutputError.
+  void add_difference(int frame, const std::vector<std::uint8_t>& colours);
 
   /// Writes what belongs to the frames added so far, which may be fewer than planned. `sound` may
   /// be nullptr. Throws OutputError.

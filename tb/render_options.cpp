@@ -4,14 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "sc/constants.h"
 #include "tb/nearest.h"
 #include "tb/set_knob.h"
 
 namespace racebeam {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -34,8 +39,30 @@ void check_known(const std::string& kind, const std::string& name,
   throw unknown_name(kind, name, known);
 }
 
+constexpr const char* Compare = "compare";
+
+std::optional<GoldenTracer> tracer_of(const std::string& name) {
+  if (name.empty() || name == Compare) return {};
+  const auto& tracers = golden_tracer_names();
+  std::vector<std::string> known = tracers;
+  known.push_back(Compare);
+  check_known("golden tracer", name, known);
+  return static_cast<GoldenTracer>(std::find(tracers.begin(), tracers.end(), name) -
+                                   tracers.begin());
+}
+
+// A name may have no extension, but not one of another format.
+void check_extension(const char* option, const std::string& path, const char* extension) {
+  std::string own = fs::path(path).extension().string();
+  for (char& c : own) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (!own.empty() && own != extension)
+    throw UsageError(fmt::format("{} writes {}; rename {}", option, extension, path));
+}
+
 // Sound and pictures that would come out wrong.
 void check_outputs(const RenderPlan& plan) {
+  if (!plan.wav.empty() && plan.tracer)
+    throw UsageError("--wav needs the chip; leave out --golden, or --wav");
   if (!plan.wav.empty() && plan.every != 1)
     throw UsageError("--wav needs consecutive frames; leave out --every, or --wav");
   if (!plan.wav.empty() && plan.k.clocks_per_pixel != SoundClocksPerPixel)
@@ -48,11 +75,31 @@ void check_outputs(const RenderPlan& plan) {
         fmt::format("--sheet holds up to {} frames, not {}; use fewer --frames and "
                     "a larger --every",
                     MaxSheetFrames, plan.frames));
-  std::set<std::string> seen;
+  check_extension("--gif", plan.gif, ".gif");
+  check_extension("--wav", plan.wav, ".wav");
+  check_extension("--sheet", plan.sheet, ".png");
+  check_extension("--stats", plan.stats, ".json");
+}
+
+// No file may overwrite another, or one that the folder gets anyway.
+void check_distinct(const RenderPlan& plan) {
+  const auto real = [](const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(path), ignored);
+  };
+  std::set<fs::path> seen;
   for (const std::string& path : {plan.gif, plan.wav, plan.sheet, plan.stats}) {
-    if (path.empty()) continue;
-    if (!seen.insert(std::filesystem::path(path).lexically_normal().string()).second)
+    if (path.empty() || fs::is_other(path)) continue;
+    const fs::path file = real(path);
+    if (!seen.insert(file).second)
       throw UsageError(path + " is named for two outputs; give each its own file");
+    if (plan.folder.empty() || file.parent_path() != real(plan.folder)) continue;
+    const std::string name = file.filename().string();
+    const bool same_stats = name == "stats.json" && path == plan.stats;
+    if (name == "manifest.json" || (name == "stats.json" && !same_stats) ||
+        name.rfind("frame_", 0) == 0 || name.rfind("difference_", 0) == 0)
+      throw UsageError(path + " is a name that the folder " + plan.folder +
+                       " needs itself; choose another");
   }
 }
 
@@ -78,11 +125,15 @@ RenderPlan plan_render(const RenderOptions& options) {
       options.wav,
       options.sheet,
       options.stats,
+      tracer_of(options.golden),
+      options.golden == Compare,
       options.crc,
       options.json,
       options.command};
+  if (plan.tracer) plan.level = "golden " + options.golden;
   for (const std::string& assignment : options.assignments) set_knob(plan.k, assignment);
   check_outputs(plan);
+  check_distinct(plan);
   if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty())
     plan.folder = DefaultFolder;
   return plan;

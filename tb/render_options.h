@@ -4,10 +4,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sc/knobs.h"
+#include "tb/golden/golden_picture.h"
 
 namespace racebeam {
 
@@ -17,6 +19,7 @@ struct RenderOptions {
   long long frames = 1, first = 0, every = 1, gif_scale = 1;
   std::vector<std::string> assignments;  ///< knob=value
   std::string folder, gif, wav, sheet, stats;
+  std::string golden;  ///< a golden tracer, "compare", or empty
   bool crc = false, json = false;
   std::vector<std::string> command;  ///< for the manifest
 };
@@ -27,6 +30,8 @@ struct RenderPlan {
   int frames, first, every, gif_scale;
   knobs k;
   std::string folder, gif, wav, sheet, stats;
+  std::optional<GoldenTracer> tracer;  ///< renders instead of the chip
+  bool compare;                        ///< the chip with the golden tracers
   bool crc, json;
   std::vector<std::string> command;
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sc/constants.h"
+#include "tb/golden_json.h"
 #include "tb/knobs_json.h"
 
 namespace racebeam {
@@ -102,7 +103,8 @@ StatsReport::StatsReport(std::string scene, std::string level, const knobs& k)
     : scene_(std::move(scene)), level_(std::move(level)), knobs_(k) {}
 
 void StatsReport::add(int frame, const std::string& part, const FrameStats& stats,
-                      const VgaFrame& picture, bool crc) {
+                      const VgaFrame& picture, bool crc,
+                      const std::optional<GoldenCounts>& golden) {
   LineSpreads lines;
   lines.add(frame, stats);
   Json json = {{"frame", frame}, {"part", part}};
@@ -111,6 +113,11 @@ void StatsReport::add(int frame, const std::string& part, const FrameStats& stat
   if (crc) {
     json["image_crc32"] = fmt::format("{:08x}", picture.image_crc);
     json["pins_crc32"] = fmt::format("{:08x}", picture.pins_crc);
+  }
+  if (golden) {
+    json["golden"] = golden_json(*golden);
+    if (!golden_) golden_.emplace();
+    *golden_ += *golden;
   }
   frames_.push_back(json.dump());
 
@@ -126,6 +133,7 @@ std::string StatsReport::text() const {
   Json total = {{"frames", frames()}};
   put_stats(total, sums_, knobs_);
   put_lines(total, lines_, true);
+  if (golden_) total["golden"] = golden_json(*golden_);
   std::string rows;
   for (const std::string& frame : frames_) rows += (rows.empty() ? "\n" : ",\n") + frame;
   return fmt::format(

@@ -2,18 +2,20 @@
 //
 // One object per frame and one for all frames together. Spreads over the visible lines are objects
 // {min, mean, max, ...} in clocks, or null if no line has a value; lines are counted as in the
-// contract, -240..239.
+// contract, -240..239. "golden" is there if the chip was compared with the golden tracers.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sc/knobs.h"
 #include "tb/frame_stats.h"
+#include "tb/golden/golden_compare.h"
 #include "tb/spread.h"
 #include "tb/vga_monitor.h"
 
@@ -32,15 +34,17 @@ class StatsReport {
  public:
   StatsReport(std::string scene, std::string level, const knobs& k);
 
-  /// Adds a whole frame; with its CRCs if `crc`.
+  /// Adds a whole frame; with its CRCs if `crc`, with its comparison if there is one.
   void add(int frame, const std::string& part, const FrameStats& stats, const VgaFrame& picture,
-           bool crc);
+           bool crc, const std::optional<GoldenCounts>& golden = {});
   /// The whole document; one line per frame.
   std::string text() const;
 
   int frames() const { return static_cast<int>(frames_.size()); }
   /// The sums of all counters; without what is kept per line.
   const FrameStats& sums() const { return sums_; }
+  /// The sums of the comparisons, if there were any.
+  const std::optional<GoldenCounts>& golden() const { return golden_; }
   std::uint64_t busy_clocks() const { return lines_.busy_clocks.sum(); }
 
  private:
@@ -49,6 +53,7 @@ class StatsReport {
   std::vector<std::string> frames_;  // JSON texts
   FrameStats sums_;
   LineSpreads lines_;
+  std::optional<GoldenCounts> golden_;
 };
 
 }  // namespace racebeam

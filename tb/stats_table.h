@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tb/frame_stats.h"
@@ -12,10 +13,12 @@
 
 namespace racebeam {
 
-/// Titles of the columns; with the CRCs if `crc`.
-std::string table_header(bool crc);
+/// Titles of the columns; with the CRCs if `crc`, with the pixels that differ from trace_4 if
+/// `golden`.
+std::string table_header(bool crc, bool golden = false);
 std::string table_row(int frame, const std::string& part, const FrameStats& stats,
-                      const VgaFrame& picture, bool crc);
+                      const VgaFrame& picture, bool crc,
+                      const std::optional<GoldenCounts>& golden = {});
 /// The sums over all frames.
 std::string table_total(const StatsReport& report);
 

@@ -1,4 +1,4 @@
-// camera_unit in its loop on the bench, and the result of a line in closed form.
+// camera_unit in its loop on the bench, and what a line must come to.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -11,6 +11,7 @@
 
 #include "sc/camera_unit.h"
 #include "sc/sequencer.h"
+#include "tb/golden/golden_camera.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -34,59 +35,23 @@ inline int K(int from, int to) {
   return steps;
 }
 
-/// What ray_stepper has added at pixel `i` (contract 8).
-inline int J(int delta, int i) {
-  int sum = 0;
-  for (int k = 0; k <= 9; ++k)
-    if (bit(i, k)) sum += floor_shift(delta * (1 << k), 9) + (k <= 8 ? bit(delta, 8 - k) : 0);
-  return sum;
-}
+using View = GoldenView;
 
-/// Camera of one line: yaw, pitch in 1/1024 turn and focal length.
-struct View {
-  int yaw, pitch, fov;
-};
+/// The view of a line where the rotation is not fast.
+inline View view_of(int frame, int variant, int y) { return golden_view(frame, variant, false, y); }
 
-/// Contract 7.5 and 17.3, where the rotation is not fast.
-inline View view_of(int frame, int variant, int y) {
-  const int y9 = mod(y + 256, 512) - 256;
-  const int yaw = frame / 4 + (variant == 1 || variant == 2 ? y9 : variant == 3 ? 2 * y9 : 0);
-  const int pitch = 1023 - frame / 8 + (variant == 2 ? y9 : variant == 3 ? 2 * y9 : 0);
-  const int fov = variant < 4 ? 96 : mod(frame / 2 + (variant >= 6 ? y9 : 0), 256);
-  return {mod(yaw, 1024), mod(pitch, 1024), fov};
-}
-
-/// Result of a line: contract 7.1 in closed form, and the first clock of RUN by 7.6.
+/// Result of a line in closed form, and the first clock of RUN by contract 7.6.
 struct Line {
   vec3 dr_0, ddr;
   int first_run_clock;
 };
 
 inline Line expected_line(const View& view, int y) {
-  const int t1 = 2 * view.yaw, u1 = t1 % 512, v1 = 511 - u1;
-  const int t2 = 2 * view.pitch, u2 = t2 % 512, v2 = 511 - u2;
-  static constexpr int yaw_offset[3][3] = {{0, 0, 1}, {2, 0, 3}, {1, 0, 2}};
-  static constexpr int pitch_offset[2][3] = {{1, 0, 1}, {0, 1, 0}};
-  static constexpr int start[3] = {0, 256, 512};
-  const int target[3] = {view.fov, mod(y + 256, 512), 192};
-  Line line{{}, {}, 0};
+  const GoldenLine golden = golden_line(view, y);
+  Line line{golden.dr_0, golden.ddr, 0};
+  const int u1 = 2 * view.yaw % 512, u2 = 2 * view.pitch % 512, v2 = 511 - u2;
+  const int start[3] = {0, 256, 512}, target[3] = {view.fov, mod(y + 256, 512), 192};
   for (int pass = 0; pass < 3; ++pass) {
-    for (int a = 0; a < 3; ++a) {
-      int q = t1 / 512 + yaw_offset[pass][a];
-      bool negative = q & 2;
-      int product = mod((q & 1 ? v1 : u1) + J(v1, u1), 1024);
-      if (pass < 2 && a == 1) product = 511, negative = false;
-      if (pass == 2 && a == 1) product = 0, negative = false;
-      if (pass < 2) {
-        q = t2 / 512 + pitch_offset[pass][a];
-        negative ^= (q & 2) != 0;
-        product = mod((q & 1 ? 0 : product) + J(product, v2), 1024);
-        product = mod((q & 1 ? product : 0) + J(product, u2), 1024);
-      }
-      line.ddr[a] = wrap_signed(negative ? -product : product, 10);
-      const int scaled = J(line.ddr[a], target[pass]) - J(line.ddr[a], start[pass]);
-      line.dr_0[a] = wrap_signed(line.dr_0[a] + scaled, 10);
-    }
     const int product = 4 + K(0, u1) + 3 + (pass < 2 ? K(0, v2) + 2 + K(0, u2) + 2 : 0);
     const int scale = K(start[pass], target[pass]);
     line.first_run_clock += product + 1 + (scale ? scale + 2 : K(0, u2) >= 3 ? 2 : 1);

@@ -172,10 +172,32 @@ TEST_F(CliRenderTest, FullDiskKeepsWholeFramesAndNoHalfFile) {
   EXPECT_THAT(program.err(), HasSubstr("File too large"));
   const Names left = names();
   EXPECT_EQ(left.count("o/frame_0000.png"), 1);
+  EXPECT_EQ(left.count("o/manifest.json"), 1);
+  EXPECT_EQ(left.count("o/stats.json"), 1);
   for (const std::string& name : left) {
+    if (name.find(".json") != std::string::npos) continue;
     EXPECT_THAT(name, testing::MatchesRegex("o/frame_[0-9]{4}.png"));
     EXPECT_THAT(read_file(folder / name), HasSubstr("IEND")) << name << " is not whole";
   }
+}
+
+TEST_F(CliRenderTest, NoOutputOverwritesAnother) {
+  for (const auto& [option, path] : std::vector<std::pair<std::string, std::string>>{
+           {"--sheet", "o/frame_0000.png"}, {"--stats", "o/manifest.json"}}) {
+    Program program(folder.path(), {"render", "demo", "-o", "o", option, path});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_THAT(program.err(), HasSubstr("needs itself; choose another"));
+  }
+  Program other(folder.path(), {"render", "demo", "--sheet", "a.jpg"});
+  EXPECT_EQ(other.wait(), 2);
+  EXPECT_THAT(other.err(), HasSubstr("--sheet writes .png; rename a.jpg"));
+  EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(CliRenderTest, RefusedRunLeavesNoFolders) {
+  Program program(folder.path(), {"render", "demo", "-o", "n/a/b", "--wav", "none/a.wav"});
+  EXPECT_EQ(program.wait(), 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "n"));
 }
 
 TEST_F(CliRenderTest, FullDeviceIsAnError) {

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/golden/golden_camera.h"
+
+#include "sc/sequencer.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr int Turn = 1024;           // of View's angles
+constexpr int Quarter = 512;         // steps of a quarter turn in the parabolas
+constexpr int HalfWidth = 320;       // pixels
+constexpr int One = Quarter - 1;     // what the chip has for 1
+constexpr int ColumnsTarget = 192;   // 512 - HalfWidth
+constexpr int Sine = 0, Cosine = 1;  // quarters; + 2: negative
+
+constexpr int mod(int v, int size) { return (v % size + size) % size; }
+constexpr int floor_shift(int a, int k) { return (a - mod(a, 1 << k)) / (1 << k); }
+constexpr int bit(int a, int n) { return mod(floor_shift(a, n), 2); }
+
+// What pixel 2^k has added; pixel i the sum over its bits.
+int steps_of_bit(int delta, int k) {
+  return floor_shift(delta * (1 << k), 9) + (k <= 8 ? bit(delta, 8 - k) : 0);
+}
+
+// Sine of an angle, a number of quarters later.
+double parabola(int angle, int quarters) {
+  const int q = 2 * angle / Quarter + quarters;
+  const double u = 2 * angle % Quarter / double{Quarter};
+  const double size = q & 1 ? (1 - u) * (1 + u) : u * (2 - u);
+  return q & 2 ? -size : size;
+}
+
+}  // namespace
+
+int golden_steps(int delta, int i) {
+  int sum = 0;
+  for (int k = 0; k <= 9; ++k)
+    if (bit(i, k)) sum += steps_of_bit(delta, k);
+  return sum;
+}
+
+GoldenView golden_view(int frame, int variant, bool fast, int y) {
+  const int y9 = mod(y + 256, 512) - 256;
+  const int yaw = fast ? frame : frame / 4;
+  const int pitch = Turn - 1 - (fast ? frame / 2 : frame / 8);
+  const int twist = variant == 3 ? 2 * y9 : variant == 1 || variant == 2 ? y9 : 0;
+  const int fov = variant < 4 ? 96 : mod(frame / 2 + (variant >= 6 ? y9 : 0), 256);
+  return {mod(yaw + twist, Turn), mod(pitch + (variant == 1 ? 0 : twist), Turn), fov};
+}
+
+GoldenLine golden_line(const GoldenView& view, int y) {
+  const int t1 = 2 * view.yaw, u1 = t1 % Quarter, v1 = One - u1;
+  const int t2 = 2 * view.pitch, u2 = t2 % Quarter, v2 = One - u2;
+  static constexpr int yaw_offset[3][3] = {{0, 0, 1}, {2, 0, 3}, {1, 0, 2}};
+  static constexpr int pitch_offset[2][3] = {{1, 0, 1}, {0, 1, 0}};
+  static constexpr int start[3] = {0, 256, 512};
+  const int target[3] = {view.fov, mod(y + 256, 512), ColumnsTarget};
+  GoldenLine line{{}, {}};
+  for (int pass = 0; pass < 3; ++pass) {
+    for (int a = 0; a < 3; ++a) {
+      int q = t1 / Quarter + yaw_offset[pass][a];
+      bool negative = q & 2;
+      int product = mod((q & 1 ? v1 : u1) + golden_steps(v1, u1), 1024);
+      if (pass < 2 && a == 1) product = One, negative = false;
+      if (pass == 2 && a == 1) product = 0, negative = false;
+      if (pass < 2) {
+        q = t2 / Quarter + pitch_offset[pass][a];
+        negative ^= (q & 2) != 0;
+        product = mod((q & 1 ? 0 : product) + golden_steps(product, v2), 1024);
+        product = mod((q & 1 ? product : 0) + golden_steps(product, u2), 1024);
+      }
+      line.ddr[a] = wrap_signed(negative ? -product : product, DrBits);
+      const int scaled =
+          golden_steps(line.ddr[a], target[pass]) - golden_steps(line.ddr[a], start[pass]);
+      line.dr_0[a] = wrap_signed(line.dr_0[a] + scaled, DrBits);
+    }
+  }
+  return line;
+}
+
+GoldenIdeal::GoldenIdeal(const GoldenView& view, int y) {
+  const auto yaw = [&](int quarters) { return parabola(view.yaw, quarters); };
+  const auto pitch = [&](int quarters) { return parabola(view.pitch, quarters); };
+  const GoldenVector forward = {yaw(Sine) * pitch(Cosine), pitch(Sine),
+                                yaw(Cosine) * pitch(Cosine)};
+  const GoldenVector down = {-yaw(Sine) * pitch(Sine), pitch(Cosine), -yaw(Cosine) * pitch(Sine)};
+  ddr = {yaw(Cosine), 0, -yaw(Sine)};
+  for (int a = 0; a < 3; ++a) dr_0[a] = view.fov * forward[a] + y * down[a] - HalfWidth * ddr[a];
+}
+
+GoldenVector GoldenIdeal::ray(int pixel) const {
+  return {dr_0[0] + pixel * ddr[0], dr_0[1] + pixel * ddr[1], dr_0[2] + pixel * ddr[2]};
+}
+
+GoldenCamera::GoldenCamera(int frame) : frame_(frame) {
+  sequencer_core sequencer;
+  sequencer.frame_q = frame;
+  const auto choice = sequencer.comb({}, {});
+  variant_ = choice.variant;
+  fast_ = choice.fast;
+}
+
+GoldenRays GoldenCamera::rays(int y) const {
+  const GoldenLine line = golden_line(view(y), y);
+  GoldenRays rays;
+  for (int a = 0; a < 3; ++a) {
+    int of_bit[10], sum[VisibleColumns] = {0};
+    for (int k = 0; k < 10; ++k) of_bit[k] = steps_of_bit(line.ddr[a], k);
+    rays[0][a] = line.dr_0[a];
+    for (int p = 1; p < VisibleColumns; ++p) {
+      sum[p] = sum[p & (p - 1)] + of_bit[__builtin_ctz(p)];
+      rays[p][a] = wrap_signed(line.dr_0[a] + sum[p], DrBits);
+    }
+  }
+  return rays;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,65 @@
+// The rays of a line in closed form: the chip's integer rays, and the ideal camera's.
+//
+// Sources: contract 7.1 (the vectors), 7.5 and 17.3 (the angles), 8 (what the ray_stepper adds).
+// No step of the chip's camera is repeated here: products and sums are written down at once.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "sc/constants.h"
+#include "sc/fixed_point.h"
+
+namespace racebeam {
+
+/// What ray_stepper has added at pixel `i` when it steps by `delta` / 512 a pixel (contract 8).
+int golden_steps(int delta, int i);
+
+/// Where a line looks: yaw and pitch in 1/1024 turn, focal length in pixels.
+struct GoldenView {
+  int yaw, pitch, fov;
+};
+
+/// The view of a line, for a rotation variant, and where the rotation is fast or not.
+GoldenView golden_view(int frame, int variant, bool fast, int y);
+
+/// Ray direction of pixel 0 and its change per pixel in 1/512.
+struct GoldenLine {
+  vec3 dr_0, ddr;
+};
+
+/// The chip's line `y` with the rounding of all its products.
+GoldenLine golden_line(const GoldenView& view, int y);
+
+/// Directions in double precision.
+using GoldenVector = std::array<double, 3>;
+
+/// The ideal camera of a line: the same parabolas for sine and cosine, without any rounding.
+struct GoldenIdeal {
+  GoldenVector dr_0, ddr;  ///< direction of pixel 0, change per pixel
+
+  GoldenIdeal(const GoldenView& view, int y);
+  GoldenVector ray(int pixel) const;
+};
+
+/// The chip's ray directions of all pixels of a line.
+using GoldenRays = std::array<vec3, VisibleColumns>;
+
+/// The camera of one frame of the demo. Rays have 10 bits and the chip's stepping, whatever the
+/// knobs dr_bits and stepping say.
+class GoldenCamera {
+ public:
+  explicit GoldenCamera(int frame);
+
+  GoldenView view(int y) const { return golden_view(frame_, variant_, fast_, y); }
+  GoldenRays rays(int y) const;
+  GoldenIdeal ideal(int y) const { return {view(y), y}; }
+
+ private:
+  int frame_, variant_;
+  bool fast_;
+};
+
+}  // namespace racebeam

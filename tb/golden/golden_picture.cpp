@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/golden/golden_picture.h"
+
+#include <cmath>
+
+#include "tb/golden/geometry.h"
+#include "tb/golden/trace_2.h"
+#include "tb/golden/trace_4.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr std::uint8_t colour(int r, int g, int b) { return 16 * r + 4 * g + b; }
+constexpr std::uint8_t Palettes[3][4] = {
+    {colour(0, 0, 0), colour(0, 0, 1), colour(0, 1, 2), colour(2, 2, 3)},
+    {colour(0, 0, 2), colour(0, 1, 2), colour(1, 2, 2), colour(1, 3, 2)},
+    {colour(1, 0, 1), colour(2, 1, 1), colour(3, 2, 1), colour(3, 3, 2)},
+};
+
+/// Shading B (contract 15.1): by axis, side, and odd line.
+constexpr int ShadingB[3][2][2] = {{{0, 1}, {3, 3}}, {{1, 1}, {2, 3}}, {{1, 2}, {2, 2}}};
+
+/// Two bits of a ray's component, `low` the number of the lower.
+int bits(int component, int low) { return component >> low & 3; }
+
+bool shows_pattern(const GoldenWorld& world, const vec3& dr) {
+  if (world.lock == GoldenLock::Partial) return bits(dr[1], 6) != 0;
+  return world.lock == GoldenLock::Full;
+}
+
+std::uint8_t shown(const GoldenWorld& world, const vec3& dr, const GoldenHit* hit, int y) {
+  int index = 0, palette = world.palette;
+  if (shows_pattern(world, dr)) {
+    index = (bits(dr[0], 5) | bits(dr[2], 4)) & bits(dr[1], 6);
+    palette = world.pattern_palette;
+  } else if (hit) {
+    const bool odd = (y & 1) && world.dithering;
+    index = world.shading_b ? ShadingB[hit->face][hit->negative][odd] : 3 - hit->face;
+  }
+  if (world.inverse && index >= 2) index = 5 - index;
+  return Palettes[palette][index];
+}
+
+GoldenRays whole(const GoldenIdeal& camera) {
+  GoldenRays rays;
+  for (int p = 0; p < VisibleColumns; ++p)
+    for (int a = 0; a < 3; ++a) rays[p][a] = static_cast<int>(std::floor(camera.ray(p)[a]));
+  return rays;
+}
+
+}  // namespace
+
+const std::vector<std::string>& golden_tracer_names() {
+  static const std::vector<std::string> names = {"trace2", "trace4", "geometry"};
+  return names;
+}
+
+GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
+                             const GoldenCamera& camera) {
+  GoldenPicture picture;
+  picture.reserve(VisibleColumns * VisibleRows);
+  for (int y = FirstVisibleLine; y < FirstVisibleLine + VisibleRows; ++y) {
+    const bool is_ideal = tracer == GoldenTracer::Geometry;
+    const GoldenRays rays = is_ideal ? whole(camera.ideal(y)) : camera.rays(y);
+    GoldenHits hits{};
+    if (world.lock != GoldenLock::Full)
+      hits = is_ideal                         ? geometry_line(world, camera.ideal(y), y)
+             : tracer == GoldenTracer::Trace2 ? trace_2_line(world, rays, y)
+                                              : trace_4_line(world, rays, y);
+    for (int column = 0; column < VisibleColumns; ++column)
+      picture.push_back(shown(world, rays[column], column ? &hits[column - 1] : nullptr, y));
+  }
+  return picture;
+}
+
+int golden_difference(const GoldenPicture& a, const GoldenPicture& b) {
+  int differing = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differing += a[i] != b[i];
+  return differing;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/golden/trace_4.h"
+
+#include <algorithm>
+
+namespace racebeam {
+
+namespace {
+
+/// Questions of contract 11.2, in the order in which a room asks them. The first is asked once.
+enum Question { Signs, FarFirst, FarSecond, NearFirst, NearSecond, XOrY, Exit };
+
+/// A node of the decision tree.
+struct Node {
+  int room = 0, depth = 0;
+  Question question = Signs;
+  int signs = 0;        ///< of the ray, bit a for axis a
+  int face = 0;         ///< axis of the opening by which the room is entered
+  bool y_wins = false;  ///< answer to XOrY
+  bool wall = false;    ///< nothing to ask any more: a wall across `face` is hit
+};
+
+class LineTracer {
+ public:
+  LineTracer(const GoldenWorld& world, const GoldenRays& rays, int y)
+      : world_(world), rays_(rays), offset_z_(world.offset_z(y)) {}
+
+  /// Decides for pixels i1..i2 from `node` down.
+  void trace(Node node, int i1, int i2) {
+    while (!node.wall) {
+      const int decision = decide(node, i1);
+      if (i1 == i2 || decide(node, i2) == decision) {
+        node = next(node, decision);
+        continue;
+      }
+      const int last = golden_switch(i1, i2, world_.bisection,
+                                     [&](int pixel) { return decide(node, pixel) == decision; });
+      trace(next(node, decision), i1, last);
+      i1 = last + 1;
+    }
+    std::fill(hits.begin() + i1, hits.begin() + i2 + 1,
+              GoldenHit{node.face, (node.signs >> node.face & 1) != 0});
+  }
+
+  GoldenHits hits;
+
+ private:
+  /// The corner coordinate that the node's question is about.
+  int corner(const Node& node, int axis) const {
+    const GoldenRoom& room = world_.rooms[node.room];
+    const int centre = room.position[axis] + (axis == 2 ? offset_z_ : 0);
+    const bool in_far_question = node.question == FarFirst || node.question == FarSecond;
+    const bool far = node.question >= XOrY || (in_far_question && axis != node.face);
+    return world_.corner((node.signs >> axis & 1 ? -centre : centre) +
+                         (far ? room.half_size[axis] : -room.half_size[axis]));
+  }
+
+  /// Answer of a pixel: the three signs, or one bit.
+  int decide(const Node& node, int pixel) const {
+    const vec3& dr = rays_[pixel];
+    int axis = 0;
+    bool inverted = false;
+    switch (node.question) {
+      case Signs: return (dr[0] < 0) | (dr[1] < 0) << 1 | (dr[2] < 0) << 2;
+      case FarFirst: axis = node.face + 1, inverted = true; break;
+      case FarSecond: axis = node.face + 2; break;
+      case NearFirst: axis = node.face + 1; break;
+      case NearSecond: axis = node.face + 2, inverted = true; break;
+      case XOrY: axis = 2; break;
+      case Exit: axis = node.y_wins ? 0 : 1; break;
+    }
+    axis %= 3;
+    const int a = axis == 0, b = axis == 2 ? 1 : 2;  // the other two axes
+    const int corner_a = corner(node, a), corner_b = corner(node, b);
+    bool greater_equal = false;
+    if (corner_b < 0) greater_equal = true;
+    else if (corner_a >= 0)
+      greater_equal = corner_a * magnitude(dr[b]) >= corner_b * magnitude(dr[a]);
+    return greater_equal != (inverted != (axis == 1));
+  }
+
+  static int magnitude(int component) { return component < 0 ? ~component : component; }
+
+  /// Where an answer leads.
+  Node next(Node node, int decision) const {
+    switch (node.question) {
+      case Signs:
+        node.signs = decision;
+        node.question = XOrY;
+        break;
+      case XOrY:
+        node.y_wins = decision;
+        node.question = Exit;
+        break;
+      case Exit: {
+        node.face = node.y_wins ? (decision ? 2 : 1) : (decision ? 0 : 2);
+        const bool negative = node.signs >> node.face & 1;
+        const int beyond = world_.rooms[node.room].neighbour[golden_face(node.face, negative)];
+        node.wall = beyond < 0 || node.depth == world_.room_depth;
+        node.room = beyond;
+        ++node.depth;
+        node.question = FarFirst;
+        break;
+      }
+      default: node.wall = decision; node.question = static_cast<Question>(node.question + 1);
+    }
+    return node;
+  }
+
+  const GoldenWorld& world_;
+  const GoldenRays& rays_;
+  const int offset_z_;
+};
+
+}  // namespace
+
+GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y) {
+  LineTracer tracer(world, rays, y);
+  tracer.trace({}, 0, LastPixel);
+  return tracer.hits;
+}
+
+}  // namespace racebeam

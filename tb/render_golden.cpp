@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render_golden.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include "tb/console.h"
+#include "tb/demo_parts.h"
+#include "tb/errors.h"
+#include "tb/golden_json.h"
+#include "tb/interrupt.h"
+#include "tb/progress.h"
+#include "tb/render_files.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* Row = "{:>5}  {:<32}{}\n";
+
+VgaFrame render_frame(const RenderPlan& plan, int frame) {
+  VgaFrame picture;
+  picture.colours = golden_picture(*plan.tracer, GoldenWorld(frame, plan.k), GoldenCamera(frame));
+  if (plan.crc)
+    picture.image_crc = static_cast<std::uint32_t>(
+        crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));
+  return picture;
+}
+
+std::string crc_column(const RenderPlan& plan, const VgaFrame& picture) {
+  return plan.crc ? fmt::format(" {:08x}", picture.image_crc) : "";
+}
+
+}  // namespace
+
+int render_golden(const RenderPlan& plan) {
+  RenderFiles files(plan);
+  GoldenFrames report(plan.scene, golden_tracer_names()[static_cast<int>(*plan.tracer)], plan.k);
+  Progress progress(plan.frames);
+  progress.draw(0, 0);
+  if (!plan.json) print(fmt::format(Row, "frame", "part", plan.crc ? " image" : ""));
+  for (int i = 0; i < plan.frames && !interrupted(); ++i) {
+    const int frame = plan.frame(i);
+    const VgaFrame picture = render_frame(plan, frame);
+    const std::string part = demo_part(frame).name();
+    files.add(frame, part, picture);
+    report.add(frame, part, picture, plan.crc);
+    progress.clear();
+    if (!plan.json) print(fmt::format(Row, frame, part, crc_column(plan, picture)));
+    progress.draw(i + 1, 0);
+  }
+  files.finish(nullptr, report.text());
+  if (plan.json) print(report.text());
+  const bool whole = report.frames() == plan.frames;
+  tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  return whole ? ExitGood : ExitInterrupted;
+}
+
+}  // namespace racebeam
