@@ -12,6 +12,7 @@
 #include "tb/command_doctor.h"
 #include "tb/command_knobs.h"
 #include "tb/command_render.h"
+#include "tb/command_scene.h"
 #include "tb/console.h"
 #include "tb/nearest.h"
 #include "tb/version.h"
@@ -77,6 +78,33 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   bench->add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 
+void add_scene(CLI::App& app, SceneOptions& options) {
+  CLI::App* scene = app.add_subcommand("scene", "Check, show, draw and start scene files");
+  scene->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help) {
+    CLI::App* command = scene->add_subcommand(name, help);
+    command->add_option("file", options.file, "Scene file (TOML)")->required()->type_name("FILE");
+    return command;
+  };
+  add("check", "List all faults with line, column and help");
+  add("show", "Counts, widths and an estimate of the worst line")
+      ->add_flag("--json", options.json, "JSON on stdout instead of the text");
+  add("plan", "Draw rooms, portals and the camera's way")
+      ->add_option("-o,--output", options.picture, "Picture")
+      ->required()
+      ->type_name("FILE.png")
+      ->check(NotEmpty);
+  add("new", "Write a scene to start from");
+}
+
+int run_scene(const CLI::App& app, const SceneOptions& options) {
+  const std::string command = app.get_subcommands().front()->get_name();
+  if (command == "check") return command_scene_check(options);
+  if (command == "show") return command_scene_show(options);
+  if (command == "plan") return command_scene_plan(options);
+  return command_scene_new(options);
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -119,11 +147,13 @@ int run_command_line(int argc, char** argv) {
       "missing on the machine, 130 interrupted.");
   RenderOptions render;
   BenchOptions bench;
+  SceneOptions scene;
   bool json = false;
   add_render(app, render);
   app.add_subcommand("knobs", "List what --set may change")
       ->add_flag("--json", json, "JSON on stdout instead of the table");
   add_bench(app, bench);
+  add_scene(app, scene);
   app.add_subcommand("doctor", "Check the machine and list versions")
       ->add_flag("--json", json, "JSON on stdout instead of the text");
   try {
@@ -138,6 +168,7 @@ int run_command_line(int argc, char** argv) {
   if (app.got_subcommand("knobs")) return command_knobs(json);
   if (app.got_subcommand("doctor")) return command_doctor(json);
   if (app.got_subcommand("bench")) return command_bench(bench);
+  if (app.got_subcommand("scene")) return run_scene(*app.get_subcommand("scene"), scene);
   render.command.assign(argv, argv + argc);
   render.command.front() = ProgramName;
   return command_render(render);

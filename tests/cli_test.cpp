@@ -34,7 +34,7 @@ class CliTest : public testing::Test {
 TEST_F(CliTest, HelpNamesEveryCommandAndIsGood) {
   Program program(folder.path(), {"--help"});
   EXPECT_EQ(program.wait(), 0);
-  for (const char* command : {"render", "knobs", "bench", "doctor"})
+  for (const char* command : {"render", "scene", "knobs", "bench", "doctor"})
     EXPECT_THAT(program.out(), HasSubstr(command));
   EXPECT_EQ(program.err(), "");
 }

@@ -7,14 +7,24 @@
 #include <string>
 
 #include "sc/knobs.h"
+#include "tb/scene/scene_keys.h"
 
 namespace racebeam {
 namespace {
 
-TEST(Readme, ListsEveryKnobWithItsDefaultAndRange) {
+std::string readme() {
   std::ifstream file(RACEBEAM_SOURCE_DIR "/README.md");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  ASSERT_FALSE(text.empty());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Readme, ListsEveryKeyOfSceneFiles) {
+  const std::string text = readme();
+  for (const SceneKey& key : scene_keys())
+    EXPECT_NE(text.find("\n" + key_row(key) + "\n"), std::string::npos) << key_row(key);
+}
+
+TEST(Readme, ListsEveryKnobWithItsDefaultAndRange) {
+  const std::string text = readme();
   const knobs defaults;
   for (const auto& row : knob_table()) {
     const std::string line = "| `" + std::string(row.name) + "` | " +

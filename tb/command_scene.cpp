@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/command_scene.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "tb/console.h"
+#include "tb/errors.h"
+#include "tb/image_files.h"
+#include "tb/output_file.h"
+#include "tb/scene/line_estimate.h"
+#include "tb/scene/plan_picture.h"
+#include "tb/scene/scene_check.h"
+#include "tb/scene/scene_reader.h"
+#include "tb/scene/scene_sight.h"
+#include "tb/scene/starter_scene.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr int FramesPerSecond = 60;
+
+// Nothing, after all faults are on stderr, if there are any.
+std::optional<SceneFile> load(const std::string& file) {
+  SceneResult result = read_scene_file(file);
+  if (result.faults.none()) return std::move(result.scene);
+  std::fputs(result.faults.text(file).c_str(), stderr);
+  tell(fmt::format("{} fault{} in {}", result.faults.count(), result.faults.count() == 1 ? "" : "s",
+                   file));
+  return std::nullopt;
+}
+
+nlohmann::ordered_json summary(const SceneFile& scene) {
+  const CameraPath path = fly(scene);
+  const SceneWidths widths = scene_widths(scene);
+  const LineEstimate line = estimate_worst_line(scene, path);
+  return {{"schema", "racebeam-scene"},
+          {"version", 1},
+          {"name", scene.name},
+          {"rooms", scene.rooms.size()},
+          {"portals", count_portals(scene)},
+          {"portals_per_face", widths.portals_per_face},
+          {"shots", scene.shots.size()},
+          {"frames", scene.frames},
+          {"deepest_view", deepest_view(scene)},
+          {"room_bits", widths.room_bits},
+          {"corner_bits", built_corner_bits(scene, widths)},
+          {"corner_bits_needed", widths.corner_bits},
+          {"camera_bits", widths.camera_bits},
+          {"worst_line",
+           {{"clocks", line.clocks},
+            {"budget", LineEstimate::Budget},
+            {"intervals", line.intervals},
+            {"frame", line.frame},
+            {"y", line.y}}}};
+}
+
+std::string table(const nlohmann::ordered_json& scene) {
+  std::string text;
+  const auto row = [&](const char* name, const std::string& value) {
+    text += fmt::format("{:<14} {}\n", name, value);
+  };
+  const auto number = [](const nlohmann::ordered_json& value) { return value.get<int>(); };
+  row("scene", scene["name"].get<std::string>());
+  row("rooms", std::to_string(number(scene["rooms"])));
+  row("portals", fmt::format("{}, up to {} in a face", number(scene["portals"]),
+                             number(scene["portals_per_face"])));
+  row("timeline",
+      fmt::format("{} frames ({:.1f} s), {} shots", number(scene["frames"]),
+                  number(scene["frames"]) / double(FramesPerSecond), number(scene["shots"])));
+  row("deepest view", fmt::format("{} portals", number(scene["deepest_view"])));
+  const int needed = number(scene["corner_bits_needed"]), built = number(scene["corner_bits"]);
+  row("widths", fmt::format("room {}, corner {}, camera {} bits", number(scene["room_bits"]), built,
+                            number(scene["camera_bits"])));
+  if (needed > built)
+    row("", fmt::format("far corners wrap: {} corner bits would hold them", needed));
+  const nlohmann::ordered_json& line = scene["worst_line"];
+  row("worst line",
+      fmt::format("about {} of {} clocks, {} intervals (frame {}, y {}); an estimate",
+                  number(line["clocks"]), number(line["budget"]), number(line["intervals"]),
+                  number(line["frame"]), number(line["y"])));
+  return text;
+}
+
+}  // namespace
+
+int command_scene_check(const SceneOptions& options) {
+  const auto scene = load(options.file);
+  if (!scene) return ExitUsage;
+  print(fmt::format("good: {} rooms, {} portals\n", scene->rooms.size(), count_portals(*scene)));
+  return ExitGood;
+}
+
+int command_scene_show(const SceneOptions& options) {
+  const auto scene = load(options.file);
+  if (!scene) return ExitUsage;
+  const nlohmann::ordered_json json = summary(*scene);
+  using Json = nlohmann::ordered_json;
+  print(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : table(json));
+  return ExitGood;
+}
+
+int command_scene_plan(const SceneOptions& options) {
+  const auto scene = load(options.file);
+  if (!scene) return ExitUsage;
+  const Canvas canvas = draw_plan(*scene);
+  write_png(options.picture, canvas.colours(), canvas.width(), canvas.height());
+  tell(fmt::format("wrote {}, {} x {} pixels: from above, north up; below it from the south",
+                   options.picture, canvas.width(), canvas.height()));
+  return ExitGood;
+}
+
+int command_scene_new(const SceneOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored)))
+    throw UsageError(options.file + " exists; choose another name");
+  write_text(options.file, starter_scene());
+  tell("wrote " + options.file + "; try `racebeam scene plan " + options.file + " -o plan.png`");
+  return ExitGood;
+}
+
+}  // namespace racebeam

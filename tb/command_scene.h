@@ -1,0 +1,26 @@
+// `racebeam scene`: check, show, draw and start scene files.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace racebeam {
+
+struct SceneOptions {
+  std::string file;     ///< the scene
+  std::string picture;  ///< of `scene plan`
+  bool json = false;    ///< of `scene show`
+};
+
+/// All faults on stderr (exit code 2), or "good: N rooms, M portals".
+int command_scene_check(const SceneOptions& options);
+/// Counts, widths and an estimate of the worst line.
+int command_scene_show(const SceneOptions& options);
+/// Views from above and from the south as PNG. Throws OutputError.
+int command_scene_plan(const SceneOptions& options);
+/// Writes a scene to start from. Throws UsageError if the file exists, OutputError.
+int command_scene_new(const SceneOptions& options);
+
+}  // namespace racebeam

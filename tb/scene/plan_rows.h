@@ -1,0 +1,34 @@
+// PlanRows: the storeys of a plan as equal rows of characters, each with its place in the file.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tb/scene/toml_tree.h"
+
+namespace racebeam {
+
+/// A character of a plan: a Unicode code point as UTF-8.
+using Letter = std::string;
+
+/// The code points of a text.
+std::vector<Letter> letters(std::string_view text);
+
+struct PlanRow {
+  std::vector<Letter> cells;
+  Place place;  ///< of the first cell
+};
+
+struct PlanRows {
+  std::vector<std::vector<PlanRow>> storeys;  ///< storey, row: all of one size
+  int rows = 0, columns = 0;                  ///< of each storey
+};
+
+/// Reads plan.storeys. False, and faults, if it is no rectangle.
+bool read_rows(const TomlNode& storeys, std::string_view text, PlanRows& to, Faults& faults);
+
+}  // namespace racebeam

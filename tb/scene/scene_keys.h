@@ -1,0 +1,28 @@
+// The keys of a scene file, each documented once: what the reader accepts and the README lists.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace racebeam {
+
+struct SceneKey {
+  const char* table;     ///< "" for the top of the file
+  const char* key;       ///< in that table
+  const char* type;      ///< with its range
+  const char* standard;  ///< what holds without it
+  const char* meaning;
+};
+
+/// All of them, in the order of the README.
+const std::vector<SceneKey>& scene_keys();
+/// The keys of one table.
+std::vector<std::string> keys_of(std::string_view table);
+/// One line of the README's table, without the newline.
+std::string key_row(const SceneKey& key);
+
+}  // namespace racebeam

@@ -1,0 +1,55 @@
+// TableReader: takes checked values out of one table of a scene file.
+//
+// Each read function leaves `to` alone and returns false if the key is missing or its value is a
+// fault, which is added to the faults.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/scene/toml_tree.h"
+
+namespace racebeam {
+
+class TableReader {
+ public:
+  /// `kind` names the table in scene_keys(); other keys are faults. So is a node that is no table.
+  TableReader(const TomlNode& node, const std::string& kind, Faults& faults);
+
+  /// The value of a key, or null.
+  const TomlNode* find(const std::string& key) const { return node_.find(key); }
+  /// The same; a fault if it is missing.
+  const TomlNode* require(const std::string& key, const std::string& help) const;
+
+  bool read(const std::string& key, int low, int high, int& to) const;
+  bool read(const std::string& key, bool& to) const;
+  /// Not empty unless `may_be_empty`; at most 64 printable characters.
+  bool read(const std::string& key, std::string& to, bool may_be_empty = false) const;
+  /// Three whole numbers.
+  bool read(const std::string& key, int low, int high, Vector& to) const;
+  /// The index of a word in `words`.
+  bool read_choice(const std::string& key, const std::vector<std::string>& words, int& to) const;
+  /// Four colours as texts of three digits 0..3.
+  bool read(const std::string& key, Palette& to) const;
+
+  Place place() const { return node_.place; }
+  Faults& faults() const { return faults_; }
+
+ private:
+  const TomlNode& node_;
+  const std::string kind_;
+  Faults& faults_;
+};
+
+/// Whole number within a range, or a fault. `name` is what the message calls it.
+bool read_number(const TomlNode& node, const std::string& name, int low, int high, int& to,
+                 Faults& faults);
+/// A short text, or a fault.
+bool read_text(const TomlNode& node, const std::string& name, std::string& to, Faults& faults);
+/// "did you mean 'x'?" or the names that there are.
+std::string name_help(const std::string& name, const std::vector<std::string>& known);
+
+}  // namespace racebeam

@@ -1,0 +1,49 @@
+// libFuzzer target: no text makes the scene reader crash or hang, and a scene without faults can
+// be measured, flown and drawn.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "tb/scene/camera_path.h"
+#include "tb/scene/plan_picture.h"
+#include "tb/scene/scene_check.h"
+#include "tb/scene/scene_reader.h"
+#include "tb/scene/scene_sight.h"
+
+namespace {
+
+// Each portal leads back, and, unless the file allows otherwise, the rooms touch.
+void check_portals(const racebeam::SceneFile& scene) {
+  for (const racebeam::Room& room : scene.rooms)
+    for (int face = 0; face < racebeam::FaceCount; ++face)
+      for (const int next : room.portals[face]) {
+        const racebeam::Room& other = scene.rooms.at(next);
+        bool back = false;
+        for (const int number : other.portals[racebeam::opposite(face)])
+          back |= &scene.rooms.at(number) == &room;
+        if (!back || (!scene.overlap && !racebeam::rooms_touch(room, face, other))) std::abort();
+      }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace racebeam;
+  const SceneResult result =
+      read_scene(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz");
+  (void)result.faults.text("fuzz");
+  if (!result.faults.none()) return 0;
+  check_portals(result.scene);
+  const CameraPath path = fly(result.scene);
+  if (path.end || path.points.size() != static_cast<std::size_t>(result.scene.frames)) std::abort();
+  (void)scene_widths(result.scene);
+  (void)deepest_view(result.scene);
+  // The rest is slow under sanitizers and the same for every frame.
+  if (result.scene.rooms.size() > 200 || result.scene.frames > 2000) return 0;
+  (void)draw_plan(result.scene);
+  return 0;
+}

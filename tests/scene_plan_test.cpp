@@ -1,0 +1,157 @@
+// Floor plans: what a drawing becomes.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <random>
+
+#include "tb/scene/plan_picture.h"
+#include "tests/scene_text.h"
+
+namespace racebeam {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string plan(const std::string& rows, const std::string& more = "") {
+  return "[plan]\nstoreys = \"\"\"\n" + rows + "\"\"\"\n" + more;
+}
+
+TEST(ScenePlanTest, TheFirstRowIsNorthAndTheFirstColumnWest) {
+  const SceneFile scene = good_scene(plan("..\n@#\n"));
+  EXPECT_THAT(room_of(scene, "start").centre, ElementsAre(0, -256, 0));
+  EXPECT_THAT(room_of(scene, "1.1.1").centre, ElementsAre(0, -256, 256));
+  EXPECT_THAT(room_of(scene, "1.1.2").centre, ElementsAre(256, -256, 256));
+  EXPECT_THAT(room_of(scene, "start").half_size, ElementsAre(128, 256, 128));
+}
+
+TEST(ScenePlanTest, NeighboursConnectByThemselves) {
+  const SceneFile scene = good_scene(plan("..\n@#\n"));
+  EXPECT_THAT(room_of(scene, "start").portals[North], ElementsAre(number_of(scene, "1.1.1")));
+  EXPECT_THAT(room_of(scene, "1.1.1").portals[East], ElementsAre(number_of(scene, "1.1.2")));
+  EXPECT_THAT(room_of(scene, "1.1.2").portals[South], IsEmpty());
+  EXPECT_EQ(count_portals(scene), 2);
+}
+
+TEST(ScenePlanTest, KindsHaveTheirOwnHeightAndFloor) {
+  const SceneFile scene =
+      good_scene(plan("@a\n", "[plan.cells]\na = { height = 200, floor = 100, id = \"step\" }\n"));
+  EXPECT_THAT(room_of(scene, "step").centre, ElementsAre(256, -200, 0));
+  EXPECT_THAT(room_of(scene, "step").half_size, ElementsAre(128, 100, 128));
+  EXPECT_EQ(count_portals(scene), 1);
+  EXPECT_EQ(count_portals(good_scene(plan("@a\n", "[plan.cells]\na = { floor = 512 }\n"))), 0)
+      << "floor at the ceiling of the other";
+}
+
+TEST(ScenePlanTest, KindsUsedTwiceAreNumbered) {
+  const SceneFile scene = good_scene(plan("@aa\n", "[plan.cells]\na = { id = \"hall\" }\n"));
+  EXPECT_EQ(number_of(scene, "hall.1"), 1);
+  EXPECT_EQ(number_of(scene, "hall.2"), 2);
+}
+
+TEST(ScenePlanTest, ASkylightIsANiche) {
+  const SceneFile scene = good_scene(plan("a\n", R"(slab = 40
+opening = 100
+[plan.cells]
+a = { skylight = true, id = "start" }
+)"));
+  const Room& niche = room_of(scene, "start.up");
+  EXPECT_THAT(niche.half_size, ElementsAre(50, 20, 50));
+  EXPECT_EQ(niche.high(1), room_of(scene, "start").low(1));
+  EXPECT_THAT(room_of(scene, "start").portals[Up], ElementsAre(1));
+  EXPECT_THAT(niche.portals[Up], IsEmpty());
+}
+
+TEST(ScenePlanTest, AFloorHoleLeadsToTheCellBelow) {
+  const std::string text = "[plan]\nstoreys = [\"@\", \"h\"]\n[plan.cells]\nh = { hole = true }\n";
+  const SceneFile scene = good_scene(text);
+  const int shaft = number_of(scene, "start.up");
+  EXPECT_THAT(room_of(scene, "2.1.1").portals[Down], ElementsAre(shaft));
+  EXPECT_THAT(scene.rooms[shaft].portals[Down], ElementsAre(0));
+  const SceneFile thin = good_scene(
+      "plan.slab = 0\n"
+      "plan.storeys = [\"@\", \"h\"]\nplan.cells.h.hole = true\n");
+  EXPECT_THAT(thin.rooms[1].portals[Down], ElementsAre(0)) << "no slab, no shaft";
+}
+
+TEST(ScenePlanTest, ATallCellMeetsBothStoreysBesideIt) {
+  const SceneFile scene = good_scene(
+      "[plan]\nstoreys = [\"t@\", \"#.\"]\n"
+      "[plan.cells]\nt = { height = 1056, id = \"tower\" }\n");
+  EXPECT_THAT(room_of(scene, "tower").portals[East], testing::SizeIs(2));
+}
+
+TEST(ScenePlanTest, NeighboursLeadBackAndTouchWhateverIsDrawn) {
+  std::mt19937 random(2);
+  for (int run = 0; run < 200; ++run) {
+    const int columns = 1 + random() % 9, rows = 1 + random() % 9, storeys = 1 + random() % 3;
+    std::string text = "plan.slab = " + std::to_string(random() % 3 * 16) + "\nplan.storeys = [";
+    for (int s = 0; s < storeys; ++s) {
+      text += "\"\"\"\n";
+      for (int r = 0; r < rows; ++r) {
+        for (int c = 0; c < columns; ++c) text += s + r + c == 0 ? '@' : "#...abcd"[random() % 8];
+        text += "\n";
+      }
+      text += "\"\"\",";
+    }
+    const SceneFile scene = good_scene(text + R"(]
+[plan.cells]
+a = { skylight = true, hole = true }
+b = { height = 256 }
+c = { height = 128, floor = 64, hole = true }
+d = { floor = 200, height = 300, skylight = true }
+)");
+    ASSERT_FALSE(scene.rooms.empty());
+    for (std::size_t i = 0; i < scene.rooms.size(); ++i)
+      for (int face = 0; face < FaceCount; ++face)
+        for (const int next : scene.rooms[i].portals[face]) {
+          EXPECT_TRUE(rooms_touch(scene.rooms[i], face, scene.rooms[next])) << text;
+          EXPECT_THAT(scene.rooms[next].portals[opposite(face)],
+                      testing::Contains(static_cast<int>(i)))
+              << text;
+        }
+  }
+}
+
+TEST(ScenePlanTest, BadPlansAreRefusedWithTheirPlace) {
+  const auto expect = [](const std::string& text, const std::string& fault) {
+    EXPECT_THAT(faults_of(text), HasSubstr(fault)) << text;
+  };
+  expect(plan("@..\n..\n...\n"), "f:4:1: this row has 2 cells, the first one 3");
+  expect(plan(""), "f:2:11: the plan is empty");
+  expect(plan("###\n###\n"), "f:2:11: the plan is empty");
+  expect("[plan]\nstoreys = []\n", "f:2:11: the plan is empty");
+  expect("[plan]\n", "f:1:1: 'plan' has no 'storeys'");
+  expect("[plan]\nstoreys = [\"@\", 3]\n", "f:2:17: a storey is a whole number");
+  expect("[plan]\nstoreys = [\"@\", \"..\"]\n", "f:2:18: this storey is 2 x 1 cells");
+  expect(plan("#@#\n#x#\n"), "f:4:2: 'x' is no kind of cell");
+  expect("[plan]\nstoreys = [\"@..\", \"..x\"]\n", "f:2:22: 'x' is no kind of cell");
+  expect("[plan]\nstoreys = '''@.\nx.'''\n", "f:3:1: 'x' is no kind of cell");
+  expect(plan("@\n", "cell = 255\n"), "f:5:8: 'cell' is odd");
+  expect(plan("@\n", "cell = [2]\n"), "f:5:8: 'cell' has not two numbers");
+  expect(plan("@\n", "opening = 258\n"), "f:5:11: 'opening' is larger than a cell");
+  expect(plan("@\n", "[plan.cells]\nab = {}\n"), "f:6:1: 'ab' cannot be a kind of cell");
+  expect(plan("@\n", "[plan.cells]\n\"#\" = {}\n"), "f:6:1: '#' cannot be a kind of cell");
+  expect(plan("@\n", "[plan.cells]\na = { hieght = 2 }\n"), "f:6:7: unknown key 'hieght'");
+  expect("[plan]\nstoreys = [\"@\", \".\"]\n[plan.cells]\n\"@\" = { height = 600 }\n",
+         "f:2:18: rooms 'start' and '2.1.1' overlap");
+}
+
+TEST(ScenePlanTest, ThePictureShowsRoomsPortalsAndTheCamerasWay) {
+  const SceneFile scene = good_scene("frames = 200\n" + plan("@.\n#.\n", R"([camera]
+velocity = [1, 0, 0]
+)"));
+  const Canvas canvas = draw_plan(scene);
+  EXPECT_EQ(canvas.width(), 512 + 24);
+  EXPECT_EQ(canvas.height(), 512 + 24 + 512 + 24);
+  EXPECT_EQ(canvas.at(12 + 40, 12 + 40), PlanColours::Low);
+  EXPECT_EQ(canvas.at(12 + 128, 12 + 128), PlanColours::Start);
+  EXPECT_EQ(canvas.at(12 + 200, 12 + 128), PlanColours::Way);
+  EXPECT_EQ(canvas.at(12 + 256, 12 + 40), PlanColours::Portal);
+  EXPECT_EQ(canvas.at(12, 12 + 40), PlanColours::Wall);
+  EXPECT_EQ(canvas.at(12 + 100, 12 + 400), PlanColours::Paper) << "solid";
+}
+
+}  // namespace
+}  // namespace racebeam
