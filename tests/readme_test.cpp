@@ -8,6 +8,7 @@
 
 #include "sc/knobs.h"
 #include "tb/scene/scene_keys.h"
+#include "tb/scene/scene_reader.h"
 
 namespace racebeam {
 namespace {
@@ -21,6 +22,16 @@ TEST(Readme, ListsEveryKeyOfSceneFiles) {
   const std::string text = readme();
   for (const SceneKey& key : scene_keys())
     EXPECT_NE(text.find("\n" + key_row(key) + "\n"), std::string::npos) << key_row(key);
+}
+
+TEST(Readme, ExampleSceneIsGood) {
+  const std::string text = readme();
+  const auto begin = text.find("```toml\n") + 8;
+  const auto end = text.find("```", begin);
+  ASSERT_LT(begin, end);
+  const SceneResult result = read_scene(text.substr(begin, end - begin), "example");
+  EXPECT_TRUE(result.faults.none()) << result.faults.text("README.md");
+  EXPECT_EQ(result.scene.rooms.size(), 14u);
 }
 
 TEST(Readme, ListsEveryKnobWithItsDefaultAndRange) {
