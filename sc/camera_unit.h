@@ -96,8 +96,6 @@ class camera_unit : public sc_core::sc_module {
 
   camera_unit(const sc_core::sc_module_name& name, const knobs& k);
 
-  const camera_unit_core& core() const { return core_; }
-
  private:
   void seq();
   void comb();

@@ -180,8 +180,6 @@ class decision_datapath : public sc_core::sc_module {
 
   decision_datapath(const sc_core::sc_module_name& name, const knobs& k);
 
-  const decision_datapath_core& core() const { return core_; }
-
  private:
   void seq();
   void decide();

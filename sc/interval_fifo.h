@@ -136,8 +136,6 @@ class interval_fifo : public sc_core::sc_module {
 
   interval_fifo(const sc_core::sc_module_name& name, const knobs& k);
 
-  const interval_fifo_core& core() const { return core_; }
-
  private:
   void seq();
   void comb();

@@ -94,7 +94,6 @@ class navigator : public sc_core::sc_module {
 
   explicit navigator(const sc_core::sc_module_name& name);
 
-  const navigator_core& core() const { return core_; }
   /// Puts the camera to the place of `from` (back door, between clocks).
   void deposit(const navigator_core& from);
 

@@ -120,8 +120,6 @@ class ray_stepper : public sc_core::sc_module {
 
   ray_stepper(const sc_core::sc_module_name& name, const knobs& k);
 
-  const ray_stepper_core& core() const { return core_; }
-
  private:
   void seq();
 

@@ -102,7 +102,6 @@ class sequencer : public sc_core::sc_module {
 
   sequencer(const sc_core::sc_module_name& name, const knobs& k);
 
-  const sequencer_core& core() const { return core_; }
   /// Puts the frame counter to `frame` as if it had counted there (back door, between clocks).
   void deposit(int frame);
 

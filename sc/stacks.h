@@ -70,8 +70,6 @@ class stacks : public sc_core::sc_module {
 
   stacks(const sc_core::sc_module_name& name, const knobs& k);
 
-  const stacks_core& core() const { return core_; }
-
  private:
   void seq();
   void comb();

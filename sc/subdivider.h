@@ -143,8 +143,6 @@ class subdivider : public sc_core::sc_module {
 
   subdivider(const sc_core::sc_module_name& name, const knobs& k);
 
-  const subdivider_core& core() const { return core_; }
-
  private:
   void seq();
   void comb();

@@ -126,8 +126,6 @@ class vga_timing : public sc_core::sc_module {
 
   vga_timing(const sc_core::sc_module_name& name, const knobs& k);
 
-  const vga_timing_core& core() const { return core_; }
-
  private:
   void seq();
   void comb();

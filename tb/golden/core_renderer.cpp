@@ -11,10 +11,7 @@ namespace racebeam {
 GoldenPicture core_picture(int frame, const knobs& k) {
   chip_core chip;
   chip.clock(false, k);
-  chip.sequencer.frame_q = frame;
-  const auto place = fly_to(frame);
-  chip.navigator.position_q = place.position_q;
-  chip.navigator.room_j_q = place.room_j_q;
+  chip.deposit(frame);
 
   const Raster raster(k.clocks_per_pixel, k.speed);
   GoldenPicture picture;
