@@ -70,9 +70,9 @@ camera_unit_core::outputs camera_unit_core::comb(const inputs& in, const knobs& 
     return o;
   }
 
-  const int fraction = in.angle << 1 & 511;
+  const int fraction = in.angle & 511;
   const int inverse = 511 - fraction;
-  const auto m = masks(pstage_q == 0 ? pass.yaw_quadrant : pass.pitch_quadrant, in.angle >> 8);
+  const auto m = masks(pstage_q == 0 ? pass.yaw_quadrant : pass.pitch_quadrant, in.angle >> 9);
   const bool stage_done = product_stage_done(in.stepping);
   o.load = presetting || stage_done;
   o.idx_load = o.load;
@@ -130,7 +130,7 @@ void camera_unit_core::clock(const inputs& in, const knobs& k) {
   if (presetting) {
     pstage_q = pclk_q = psign_q = 0;
   } else if (stage_done) {
-    const auto m = masks(pstage_q == 0 ? pass.yaw_quadrant : pass.pitch_quadrant, in.angle >> 8);
+    const auto m = masks(pstage_q == 0 ? pass.yaw_quadrant : pass.pitch_quadrant, in.angle >> 9);
     if (pstage_q == 0) psign_q ^= m.negative & ~pass.one;
     if (pstage_q == 2) psign_q ^= m.negative;
     pstage_q = pass_q == 2 ? 3 : pstage_q + 1;

@@ -5,7 +5,7 @@
 //         subdivider's idx2, so that stepping dr2 from 0 to n pixels multiplies delta by n/512.
 //         Sines and cosines are parabolas: (1-t)(1+t), one factor at a time.
 //         Three passes (forward, down, right), each PRODUCT (of sines), LOAD, SCALE; then RUN.
-// Size    45 register bits; an angle t = 2 * angle_i is 1/2048 turn, full scale of a sine is 511.
+// Size    45 register bits; angle_i counts 1/2048 turn, full scale of a sine is 511.
 // Cycles  44..83 clocks from the start of the line to the first clock of RUN, data dependent.
 // Comb    line_end_i, rst_ni -> tracer_reset_o and all controls; step_i -> controls;
 //         y_i -> i2_init_o; step_i, line_end_i -> src_o; angle_i -> delta_o, ext_sign_o,
@@ -42,7 +42,7 @@ struct camera_unit_core {
     bool reset;  // line_end or reset
     bool stepping;
     vec3 dr2;
-    int angle;  // 10 bits, of the source asked for
+    int angle;  // of the source asked for
     int y;      // signed
   };
   struct outputs {
@@ -74,8 +74,8 @@ class camera_unit : public sc_core::sc_module {
   in_port<1> line_end_i{"line_end_i"};
   in_port<10> y_i{"y_i"};  // signed
   // sequencer
-  out_port<2> src_o{"src_o"};  // angle_source
-  in_port<10> angle_i{"angle_i"};
+  out_port<2> src_o{"src_o"};             // angle_source
+  in_port<AngleBits> angle_i{"angle_i"};  // 1/2048 turn, or focal length in pixels
   // Phase of the line
   out_port<1> run_o{"run_o"};                    // phase is RUN
   out_port<1> tracer_reset_o{"tracer_reset_o"};  // tracer and FIFO are held at their start

@@ -6,17 +6,35 @@
 
 namespace racebeam {
 
-chip::chip(const sc_core::sc_module_name& name, const knobs& k)
+namespace {
+
+std::unique_ptr<sequencer_pins> make_sequencer(const knobs& k, const scene_program* program) {
+  if (program) return std::make_unique<timeline>("u_sequencer", k, *program);
+  return std::make_unique<sequencer>("u_sequencer", k);
+}
+
+std::unique_ptr<scene_pins> make_scene(const scene_program* program) {
+  if (program) return std::make_unique<scene_rom>("u_scene", *program);
+  return std::make_unique<scene>("u_scene");
+}
+
+}  // namespace
+
+chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program)
     : sc_module(name),
       u_vga_timing("u_vga_timing", k),
-      u_sequencer("u_sequencer", k),
+      u_sequencer(make_sequencer(k, program)),
       u_camera_unit("u_camera_unit", k),
       u_ray_stepper("u_ray_stepper", k),
       u_subdivider("u_subdivider", k),
       u_stacks("u_stacks", k),
       u_decision_datapath("u_decision_datapath", k),
+      u_scene(make_scene(program)),
+      u_navigator("u_navigator", k),
       u_interval_fifo("u_interval_fifo", k),
-      u_pixel_output("u_pixel_output", k) {
+      u_pixel_output("u_pixel_output", k),
+      knobs_(k),
+      program_(program) {
   bind_raster_and_camera();
   bind_tracer();
   bind_output();
@@ -41,7 +59,7 @@ void chip::bind_raster_and_camera() {
     u.nav_line_o(nav_line);
   }
   {
-    auto& u = u_sequencer;
+    auto& u = *u_sequencer;
     u.clk_i(clk_i);
     u.rst_ni(rst_ni);
     u.frame_end_i(frame_end);
@@ -53,12 +71,14 @@ void chip::bind_raster_and_camera() {
     u.frame_o(frame);
     u.scene_flags_o(scene_flags);
     u.palette_o(palette);
+    u.colours_o(colours);
     u.shading_b_o(shading_b);
     u.scene_interlace_o(scene_interlace);
     u.lock_o(lock);
     u.inverse_o(inverse);
-    u.start_y_o(start_y);
-    u.velocity_z_o(velocity_z);
+    u.start_o.bind(start);
+    u.start_room_o(start_room);
+    u.velocity_o.bind(velocity);
     u.nav_reset_o(nav_reset);
   }
   {
@@ -91,12 +111,14 @@ void chip::bind_raster_and_camera() {
     u.nav_reset_i(nav_reset);
     u.nav_line_i(nav_line);
     u.active_start_i(active_start);
-    u.start_y_i(start_y);
+    u.start_i.bind(start);
+    u.start_room_i(start_room);
     u.corner_i.bind(corner);
     u.room_i(room);
     u.nav_position_o.bind(nav_position);
     u.nav_room_o(nav_room);
     u.nav_axis_o(nav_axis);
+    u.nav_portal_o(nav_portal);
     u.nav_negative_o(nav_negative);
     u.nav_op_o(nav_op);
     u.nav_move_o(nav_move);
@@ -183,10 +205,11 @@ void chip::bind_tracer() {
     u.y_i(y);
     u.no_interlace_i(no_interlace_i);
     u.scene_interlace_i(scene_interlace);
-    u.velocity_z_i(velocity_z);
+    u.velocity_i.bind(velocity);
     u.nav_position_i.bind(nav_position);
     u.nav_room_i(nav_room);
     u.nav_axis_i(nav_axis);
+    u.nav_portal_i(nav_portal);
     u.nav_negative_i(nav_negative);
     u.nav_op_i(nav_op);
     u.nav_move_i(nav_move);
@@ -212,20 +235,26 @@ void chip::bind_tracer() {
     u.room_o(room);
     u.look_axis_o(look_axis);
     u.look_signs_o(look_signs);
+    u.look_portal_o(look_portal);
+    u.look_way_o(look_way);
     u.half_size_i.bind(half_size);
     u.position_i.bind(position);
     u.neighbour_i(neighbour);
+    u.back_i(back);
     u.hit_face_o(hit_face);
   }
   {
-    auto& u = u_scene;
+    auto& u = *u_scene;
     u.scene_flags_i(scene_flags);
     u.room_i(room);
     u.look_axis_i(look_axis);
     u.look_signs_i(look_signs);
+    u.look_portal_i(look_portal);
+    u.look_way_i(look_way);
     u.half_size_o.bind(half_size);
     u.position_o.bind(position);
     u.neighbour_o(neighbour);
+    u.back_o(back);
   }
 }
 
@@ -256,6 +285,7 @@ void chip::bind_output() {
     u.dr2_i.bind(dr2);
     u.inverse_i(inverse);
     u.palette_i(palette);
+    u.colours_i(colours);
     u.active_i(active);
     u.hsync_ni(hsync_n);
     u.vsync_ni(vsync_n);
@@ -298,8 +328,8 @@ chip_view chip::view() const {
 }
 
 void chip::deposit(int to) {
-  u_sequencer.deposit(to);
-  u_navigator.deposit(fly_to(to));
+  u_sequencer->deposit(to);
+  u_navigator.deposit(fly_to(to, knobs_, program_));
 }
 
 }  // namespace racebeam

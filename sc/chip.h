@@ -1,11 +1,14 @@
 // chip: all units wired with signals under one clock; the `signal` level.
 //
 // The wiring has no arithmetic: a wire carries the name of the port that drives it, without its
-// suffix. Instances are named u_<unit>.
+// suffix. Instances are named u_<unit>. A scene_program puts timeline in the place of sequencer and
+// scene_rom in the place of scene; nothing else knows the difference.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+
+#include <memory>
 
 #include "sc/camera_unit.h"
 #include "sc/chip_view.h"
@@ -15,10 +18,10 @@
 #include "sc/pixel_output.h"
 #include "sc/pwm_sound.h"
 #include "sc/ray_stepper.h"
-#include "sc/scene.h"
-#include "sc/sequencer.h"
+#include "sc/scene_rom.h"
 #include "sc/stacks.h"
 #include "sc/subdivider.h"
+#include "sc/timeline.h"
 #include "sc/vga_timing.h"
 
 namespace racebeam {
@@ -33,7 +36,8 @@ class chip : public sc_core::sc_module {
   out_port<8> uo_o{"uo_o"};  // {hsync, B0, G0, R0, vsync, B1, G1, R1}
   out_port<1> pwm_o{"pwm_o"};
 
-  chip(const sc_core::sc_module_name& name, const knobs& k);
+  /// The chip with its own demo, or with a program, which must outlive it and fit `k`.
+  chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program = nullptr);
 
   /// The wires of the present clock, settled if called at its end.
   chip_view view() const;
@@ -47,14 +51,16 @@ class chip : public sc_core::sc_module {
   wire<1> consume{"consume"}, line_end{"line_end"}, active_start{"active_start"};
   wire<1> frame_end{"frame_end"}, nav_line{"nav_line"};
   // sequencer
-  wire<10> angle{"angle"};
+  wire<AngleBits> angle{"angle"};
   wire<FrameBits> frame{"frame"};
   wire<6> scene_flags{"scene_flags"};
   wire<2> palette{"palette"};
+  wire<ColoursBits> colours{"colours"};
   wire<1> shading_b{"shading_b"}, scene_interlace{"scene_interlace"}, lock{"lock"};
   wire<1> inverse{"inverse"}, nav_reset{"nav_reset"};
-  wire<9> start_y{"start_y"};
-  wire<2> velocity_z{"velocity_z"};
+  axes_wire<NavigatorPortBits> start{"start"};
+  wire<RoomPortBits> start_room{"start_room"};
+  axes_wire<VelocityPortBits> velocity{"velocity"};
   // camera_unit
   wire<2> src{"src"};
   wire<1> run{"run"}, tracer_reset{"tracer_reset"};
@@ -78,24 +84,29 @@ class chip : public sc_core::sc_module {
   wire<StackCountPortBits> sd{"sd"};
   wire<1> line_done{"line_done"};
   // stacks
-  wire<TagBits> top_tag{"top_tag"};
+  wire<TagPortBits> top_tag{"top_tag"};
   wire<PixelBits> top_i2{"top_i2"};
-  wire<2> fread{"fread"};
+  wire<FacePortBits> fread{"fread"};
   // decision_datapath
   wire<4> dec{"dec"}, mask{"mask"};
-  wire<TagBits> tag{"tag"};
+  wire<TagPortBits> tag{"tag"};
   wire<1> wall{"wall"}, second{"second"}, fwrite{"fwrite"};
-  wire<2> fdata{"fdata"}, look_axis{"look_axis"}, hit_face{"hit_face"};
-  wire<RoomBits> room{"room"};
+  wire<FacePortBits> fdata{"fdata"};
+  wire<2> hit_face{"hit_face"};
+  wire<RoomPortBits> room{"room"};
+  wire<2> look_axis{"look_axis"}, look_way{"look_way"};
   wire<3> look_signs{"look_signs"};
-  axes_wire<CornerBits> corner{"corner"};
+  wire<PortalBits> look_portal{"look_portal"};
+  axes_wire<CornerPortBits> corner{"corner"};
   // scene
-  axes_wire<CornerBits> half_size{"half_size"}, position{"position"};
-  wire<RoomBits> neighbour{"neighbour"};
+  axes_wire<CornerPortBits> half_size{"half_size"}, position{"position"};
+  wire<RoomPortBits> neighbour{"neighbour"};
+  wire<PortalBits> back{"back"};
   // navigator
-  axes_wire<NavigatorBits> nav_position{"nav_position"};
-  wire<RoomBits> nav_room{"nav_room"};
+  axes_wire<NavigatorPortBits> nav_position{"nav_position"};
+  wire<RoomPortBits> nav_room{"nav_room"};
   wire<2> nav_axis{"nav_axis"};
+  wire<PortalBits> nav_portal{"nav_portal"};
   wire<1> nav_negative{"nav_negative"}, nav_move{"nav_move"};
   wire<3> nav_op{"nav_op"};
   // interval_fifo, pixel_output
@@ -105,14 +116,14 @@ class chip : public sc_core::sc_module {
 
   // Units
   vga_timing u_vga_timing;
-  sequencer u_sequencer;
+  const std::unique_ptr<sequencer_pins> u_sequencer;
   camera_unit u_camera_unit;
   ray_stepper u_ray_stepper;
   subdivider u_subdivider;
   stacks u_stacks;
   decision_datapath u_decision_datapath;
-  scene u_scene{"u_scene"};
-  navigator u_navigator{"u_navigator"};
+  const std::unique_ptr<scene_pins> u_scene;
+  navigator u_navigator;
   interval_fifo u_interval_fifo;
   pixel_output u_pixel_output;
   pwm_sound u_pwm_sound{"u_pwm_sound"};
@@ -121,6 +132,9 @@ class chip : public sc_core::sc_module {
   void bind_raster_and_camera();
   void bind_tracer();
   void bind_output();
+
+  const knobs knobs_;
+  const scene_program* const program_;
 };
 
 }  // namespace racebeam

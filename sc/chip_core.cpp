@@ -4,13 +4,39 @@
 
 namespace racebeam {
 
+namespace {
+
+/// The room and the room looked for, from the chip's scene or a program's table.
+void look_up(const scene_program* program, int flags, int id,
+             const decision_datapath_core::lookup& look, decision_datapath_core::inputs& to) {
+  const bool negative = bit_of(look.signs, look.axis);
+  const auto room =
+      program ? scene_rom_core::geometry(*program, id) : scene_core::geometry(flags, id);
+  to.half_size = room.half_size;
+  to.position = room.position;
+  if (program) {
+    const auto beyond =
+        scene_rom_core::look(*program, id, look.axis, negative, look.portal, look.way);
+    to.neighbour = beyond.room;
+    to.back = beyond.back;
+  } else {
+    to.neighbour = scene_core::neighbour(flags, id, look.axis, negative);
+  }
+}
+
+}  // namespace
+
+chip_core::chip_core(const scene_program* program) : program(program) {
+  if (program) timeline.seek(0, *program);
+}
+
 chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   // 1 to 3: raster, FIFO flags, conductor.
   const vga_timing_core::inputs timing_in{rst_n, k.speed};
   const auto t = vga_timing.comb(timing_in, k);
   const bool starving = interval_fifo.starving(k);
   const sequencer_core::inputs choose{rst_n, t.frame_end, camera_unit.run(), ray_stepper.dr2_q[1]};
-  const auto s = sequencer.comb(choose, k);
+  const auto s = program ? timeline.comb(choose, *program, k) : sequencer.comb(choose, k);
 
   // 4, 5: the decision.
   const bool line_reset = !rst_n || t.line_end;
@@ -42,7 +68,10 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
 
   // 8, 9: the camera and the stepper.
   camera_unit_core::inputs cam{line_reset, move.step, ray_stepper.dr2_q, 0, t.y};
-  if (tracer_reset) cam.angle = sequencer.angle(camera_unit.source(line_reset, move.step), t.y);
+  if (tracer_reset) {
+    const int src = camera_unit.source(line_reset, move.step);
+    cam.angle = program ? timeline.angle(src, t.y, *program) : sequencer.angle(src, t.y);
+  }
   const auto control = camera_unit.comb(cam, k);
   sub.idx_load = control.idx_load;
   sub.idx_start = control.idx_start;
@@ -60,12 +89,13 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   place.nav_line = t.nav_line;
   place.active_start = t.active_start;
   place.nav_position = navigator.position_q;
-  place.nav_room = navigator.room();
+  place.nav_room = navigator.room_q;
   place.nav_axis = nav.axis;
+  place.nav_portal = navigator.portal_q;
   place.nav_negative = nav.negative;
   place.nav_move = nav.move;
   place.nav_op = nav.op;
-  place.velocity_z = s.velocity_z;
+  place.velocity = s.velocity;
   place.descend = move.descend;
   place.climb = move.climb;
   place.in_return = subdivider.state_q == StateReturn;
@@ -74,22 +104,18 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   place.signs = subdivider.signs();
   place.top_tag = top.tag;
   place.face_read = stacks.face(decision_datapath.depth_q, k);
-  const auto room = scene_core::geometry(s.scene_flags, decision_datapath.room_q);
-  const int axis = decision_datapath.lookup_axis(place);
-  place.half_size = room.half_size;
-  place.position = room.position;
-  place.neighbour = scene_core::neighbour(s.scene_flags, decision_datapath.room_q, axis,
-                                          bit_of(decision_datapath.lookup_signs(place), axis));
+  look_up(program, s.scene_flags, decision_datapath.room_q, decision_datapath.look(place), place);
   place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
 
   // 12: the pins.
-  const pins out{pixel_output_core::uo({interval_fifo.display(k), s.lock, s.inverse, t.active,
-                                        t.hsync_n, t.vsync_n, ray_stepper.dr2_q, s.palette},
-                                       k),
-                 pwm_sound.comb().pwm};
+  const pins out{
+      pixel_output_core::uo({interval_fifo.display(k), s.lock, s.inverse, t.active, t.hsync_n,
+                             t.vsync_n, ray_stepper.dr2_q, s.palette, s.colours},
+                            k),
+      pwm_sound.comb().pwm};
   if (view)
     *view = {t.y,
-             sequencer.frame_q,
+             frame(),
              t.line_end,
              t.consume,
              camera_unit.run(),
@@ -114,64 +140,83 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   stacks.clock({move.push, sub.tag, subdivider.i2_q, subdivider.sp_q, face_write,
                 decision_datapath.face_code(), decision_datapath.depth_q},
                k);
-  navigator.clock({!rst_n || s.nav_reset, s.start_y, t.nav_line && t.active_start,
-                   decision_datapath.corner_q, decision_datapath.room_q});
+  navigator.clock({!rst_n || s.nav_reset, s.start, s.start_room, t.nav_line && t.active_start,
+                   decision_datapath.corner_q, decision_datapath.room_q},
+                  k);
   decision_datapath.clock(place, k);
   ray_stepper.clock(stepper_in, k);
   subdivider.clock(sub, move, k);
   camera_unit.clock(cam, k);
   interval_fifo.clock(fifo_in, k);
-  pwm_sound.clock({rst_n, k.speed, t.x2, t.y, sequencer.frame_q});
-  sequencer.clock(choose);
+  pwm_sound.clock({rst_n, k.speed, t.x2, t.y, frame()});
+  if (program) timeline.clock(choose, *program);
+  else sequencer.clock(choose);
   vga_timing.clock(timing_in, k);
   return out;
 }
 
-void chip_core::deposit(int frame) {
-  sequencer.frame_q = frame;
-  const navigator_core place = fly_to(frame);
+void chip_core::deposit(int frame, const knobs& k) {
+  if (program) timeline.seek(frame, *program);
+  else sequencer.frame_q = frame;
+  const navigator_core place = fly_to(frame, k, program);
   navigator.position_q = place.position_q;
-  navigator.room_j_q = place.room_j_q;
+  navigator.room_q = place.room_q;
 }
 
-navigator_core fly_to(int frame) {
-  const knobs k;
-  sequencer_core sequencer;
-  navigator_core navigator;
-  const auto flags_of = [&](int f) {
-    sequencer.frame_q = f;
-    return sequencer.comb({true, false, false, 0}, k);
-  };
-  int start = frame;
-  while (!flags_of(start).nav_reset) --start;
-  for (int f = start; f <= frame; ++f) {
-    const auto s = flags_of(f);
-    // The frame before moved the camera on its last line; a restart overrules that.
-    decision_datapath_core datapath;
-    if (f > start && !s.nav_reset) {
-      const auto before = flags_of(f - 1);
-      for (int clock = 0; clock < 8; ++clock) {
-        const auto nav = navigator.comb(true, datapath.corner_q);
-        decision_datapath_core::inputs in{};
-        in.nav_line = true;
-        in.active_start = clock == 0;
-        in.nav_position = navigator.position_q;
-        in.nav_room = navigator.room();
-        in.nav_op = nav.op;
-        in.nav_move = nav.move;
-        in.velocity_z = before.velocity_z;
-        const auto room = scene_core::geometry(before.scene_flags, datapath.room_q);
-        in.half_size = room.half_size;
-        in.position = room.position;
-        in.neighbour =
-            scene_core::neighbour(before.scene_flags, datapath.room_q, nav.axis, nav.negative);
-        navigator.clock({before.nav_reset, before.start_y, in.active_start, datapath.corner_q,
-                         datapath.room_q});
-        datapath.clock(in, k);
-      }
-    }
-    if (s.nav_reset) navigator.clock({true, s.start_y, false, {}, 0});
+namespace {
+
+/// What a frame asks of the navigator.
+sequencer_outputs choices(int frame, const knobs& k, const scene_program* program) {
+  const sequencer_inputs in{true, false, false, 0};
+  if (program) {
+    timeline_core timeline;
+    timeline.seek(frame, *program);
+    return timeline.comb(in, *program, k);
   }
+  sequencer_core sequencer;
+  sequencer.frame_q = frame;
+  return sequencer.comb(in, k);
+}
+
+/// The last line of a frame: the navigator with the datapath's adder.
+void fly(const sequencer_outputs& s, const knobs& k, const scene_program* program,
+         navigator_core& navigator) {
+  constexpr int Most = 80;  // clocks: four portals at most, and more than enough
+  decision_datapath_core datapath;
+  for (int clock = 0; clock == 0 || (navigator.nav_state_q != NavIdle && clock < Most); ++clock) {
+    const auto nav = navigator.comb(true, datapath.corner_q);
+    decision_datapath_core::inputs in{};
+    in.nav_line = true;
+    in.active_start = clock == 0;
+    in.nav_position = navigator.position_q;
+    in.nav_room = navigator.room_q;
+    in.nav_axis = nav.axis;
+    in.nav_portal = navigator.portal_q;
+    in.nav_negative = nav.negative;
+    in.nav_op = nav.op;
+    in.nav_move = nav.move;
+    in.velocity = s.velocity;
+    look_up(program, s.scene_flags, datapath.room_q, datapath.look(in), in);
+    navigator.clock(
+        {s.nav_reset, s.start, s.start_room, in.active_start, datapath.corner_q, datapath.room_q},
+        k);
+    datapath.clock(in, k);
+  }
+}
+
+}  // namespace
+
+navigator_core fly_to(int frame, const knobs& k, const scene_program* program) {
+  int start = frame;
+  while (!choices(start, k, program).nav_reset) --start;
+  navigator_core navigator;
+  for (int f = start; f < frame; ++f) {
+    const auto s = choices(f, k, program);
+    if (s.nav_reset) navigator.clock({true, s.start, s.start_room, false, {}, 0}, k);
+    fly(s, k, program, navigator);
+  }
+  const auto s = choices(frame, k, program);
+  if (s.nav_reset) navigator.clock({true, s.start, s.start_room, false, {}, 0}, k);
   return navigator;
 }
 

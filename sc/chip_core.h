@@ -16,17 +16,22 @@
 #include "sc/pixel_output.h"
 #include "sc/pwm_sound.h"
 #include "sc/ray_stepper.h"
-#include "sc/scene.h"
-#include "sc/sequencer.h"
+#include "sc/scene_rom.h"
 #include "sc/stacks.h"
 #include "sc/subdivider.h"
+#include "sc/timeline.h"
 #include "sc/vga_timing.h"
 
 namespace racebeam {
 
 struct chip_core {
+  /// The chip with its own demo, or with a program, which must outlive it and fit the knobs.
+  explicit chip_core(const scene_program* program = nullptr);
+
+  const scene_program* program;
   vga_timing_core vga_timing;
   sequencer_core sequencer;
+  timeline_core timeline;
   camera_unit_core camera_unit;
   ray_stepper_core ray_stepper;
   subdivider_core subdivider;
@@ -44,11 +49,15 @@ struct chip_core {
   /// The pins before the edge, then the edge; `view` receives the wires if given.
   pins clock(bool rst_n, const knobs& k, chip_view* view = nullptr);
   /// Puts the demo to the start of `frame`; to be called in the first clock of a frame.
-  void deposit(int frame);
+  void deposit(int frame, const knobs& k);
+
+ private:
+  int frame() const { return program ? timeline.frame_q : sequencer.frame_q; }
 };
 
-/// The navigator at the start of frame `frame` of the demo, 0..12798: flown there frame by frame
-/// from the last restart of the flight (contract section 13), in the units' own arithmetic.
-navigator_core fly_to(int frame);
+/// The navigator at the start of a frame of the demo, 0..12798, or of a program: flown there frame
+/// by frame from the last restart of the flight (contract section 13), in the units' own
+/// arithmetic.
+navigator_core fly_to(int frame, const knobs& k, const scene_program* program = nullptr);
 
 }  // namespace racebeam

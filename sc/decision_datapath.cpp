@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sc/navigator.h"
+#include "sc/scene.h"
 #include "sc/subdivider.h"
 
 namespace racebeam {
@@ -37,6 +38,16 @@ int decision_datapath_core::decide(const vec3& dr, const knobs& k) const {
   return signs << 1 | (ge != inverted);
 }
 
+decision_datapath_core::lookup decision_datapath_core::look(const inputs& in) const {
+  if (in.nav_line) return {in.nav_axis, in.nav_negative ? 7 : 0, in.nav_portal, LookThrough};
+  if (in.climb) {
+    const bool beside = target_depth(in) == depth_q && target_portal(in) != portal_q;
+    return {face_q, ~in.signs & 7, back_q, beside ? LookPrevious : LookThrough};
+  }
+  if (in.leave && level_q < 4) return {face_q, ~in.signs & 7, back_q, LookNext};
+  return {new_face(in.leave), in.signs, 0, LookThrough};
+}
+
 void decision_datapath_core::clock(const inputs& in, const knobs& k) {
   const bool down = go_down(in);
   if (in.tracer_reset || (in.restart && !in.nav_line) || (in.nav_line && in.active_start)) {
@@ -45,6 +56,7 @@ void decision_datapath_core::clock(const inputs& in, const knobs& k) {
     room_q = in.nav_room;
     corner_q = in.nav_position;
     second_q = wall_q = false;
+    portal_q = back_q = 0;
   } else {
     const vec3 corner = corner_q;
     const int room = room_q;
@@ -84,6 +96,8 @@ void decision_datapath_core::descend(const inputs& in, const knobs& k) {
     second_q = true;
     face_q = face;
     room_q = in.neighbour;
+    portal_q = 0;
+    back_q = in.back;
   } else if (level_q == 7) {
     if (depth_q == k.room_depth_limit()) hit_wall(face_q);
     enter(in, k);
@@ -95,7 +109,13 @@ void decision_datapath_core::descend(const inputs& in, const knobs& k) {
     }
     level_q = 6;
   } else if (depth_q == 0 || level_q >= 4) {
-    ++level_q;  // off the tree, nav_line only
+    ++level_q;              // off the tree, nav_line only
+  } else if (was_second) {  // arrive behind the next portal
+    shared_q[depth_q] = 0;
+    arrive(in);
+  } else if (bit && k.portals_per_face > 1 && in.neighbour != SolidRoom) {
+    leave(in);
+    go_beside(portal_q + 1, in);
   } else {
     if (bit) hit_wall(face_q);
     else wall_q = false;
@@ -108,8 +128,27 @@ void decision_datapath_core::enter(const inputs& in, const knobs& k) {
   depth_q = (depth_q + 1) & low_bits(DepthBits);
   shared_q[depth_q] = k.skip_shared_edges ? shared_edges(in, k) : 0;
   level_q = next_test(0);
+  arrive(in);
+}
+
+// From the camera to the corner that the level tests, and back.
+void decision_datapath_core::arrive(const inputs& in) {
   for (int a = 0; a < 3; ++a)
     corner_q[a] += mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+}
+
+void decision_datapath_core::leave(const inputs& in) {
+  for (int a = 0; a < 3; ++a)
+    corner_q[a] -= mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+}
+
+// Half way to the room behind another portal of the same face.
+void decision_datapath_core::go_beside(int portal, const inputs& in) {
+  portal_q = portal & low_bits(PortalBits);
+  back_q = in.back;
+  room_q = in.neighbour;
+  level_q = 0;
+  second_q = true;
 }
 
 // Levels 0..3 (bits) whose edge of the room being entered does not narrow the face left.
@@ -133,26 +172,33 @@ void decision_datapath_core::go_to_test(int level, const inputs& in) {
 
 // One step towards the root, to where top_tag points (contract 11.6).
 void decision_datapath_core::climb(const inputs& in) {
-  const int target_depth = in.top_tag >> LevelBits, target_level = in.top_tag & low_bits(LevelBits);
+  const int target_level = in.top_tag & low_bits(LevelBits);
   const bool was_second = std::exchange(second_q, false);
-  if (target_depth != depth_q) {  // leave the room
-    if (!was_second)
-      for (int a = 0; a < 3; ++a)
-        corner_q[a] -= mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+  if (target_depth(in) != depth_q) {  // leave the room
+    if (!was_second) leave(in);
     if (level_q == 7) dom_q = dom_prev_q;
     depth_q = (depth_q - 1) & low_bits(DepthBits);
     room_q = in.neighbour;
     level_q = 7;
     second_q = true;
-    face_q = in.face_read == 3 ? 2 : in.face_read;
-    dom_prev_q = in.face_read & 1;
+    const int face = in.face_read & low_bits(FaceBits);
+    face_q = face == 3 ? 2 : face;
+    dom_prev_q = face & 1;
+    portal_q = in.face_read >> FaceBits & low_bits(PortalBits);
+    back_q = in.face_read >> (FaceBits + PortalBits);
+  } else if (target_portal(in) != portal_q) {  // leave it for the one behind the portal before
+    if (!was_second) leave(in);
+    if (level_q == 7) dom_q = dom_prev_q;
+    go_beside(portal_q - 1, in);
   } else if (was_second) {  // arrive in the room
+    if (level_q == 7 && target_level != 7) dom_q = dom_prev_q;
     level_q = target_level;
-    if (target_level != 7) dom_q = dom_prev_q;
-    const bool root = depth_q == 0 && target_level < 4;
-    for (int a = 0; a < 3; ++a)
-      if (root) corner_q[a] = (bit_of(in.signs, a) ? -corner_q[a] : corner_q[a]) + in.position[a];
-      else corner_q[a] += mirrored_position(a, in) + corner_sign(level_q, a) * in.half_size[a];
+    if (depth_q == 0 && target_level < 4) {
+      for (int a = 0; a < 3; ++a)
+        corner_q[a] = (bit_of(in.signs, a) ? -corner_q[a] : corner_q[a]) + in.position[a];
+    } else {
+      arrive(in);
+    }
   } else {  // within the room
     if (level_q == 7) dom_q = dom_prev_q;
     const int even = level_q & ~1;
@@ -180,15 +226,17 @@ void decision_datapath_core::navigate(const inputs& in) {
   for (int a = 0; a < 3; ++a) {
     const int r = in.position[a], s = in.half_size[a];
     switch (in.nav_op) {
-      case CornerAddVelocity: corner_q[a] += a == 2 ? in.velocity_z : 0; break;
+      case CornerAddVelocity: corner_q[a] += in.velocity[a]; break;
       case CornerAddS: corner_q[a] += s; break;
       case CornerSubtract2S: corner_q[a] -= 2 * s; break;
       case CornerLeavePlus: corner_q[a] -= r + s; break;
       case CornerLeaveMinus: corner_q[a] += s - r; break;
       case CornerAddR: corner_q[a] += r; break;
+      case CornerCamera: corner_q[a] = in.nav_position[a]; break;
       default: break;
     }
   }
+  if (in.nav_op == CornerCamera) room_q = in.nav_room;
   if (in.nav_move) room_q = in.neighbour;
 }
 
@@ -202,7 +250,8 @@ decision_datapath::decision_datapath(const sc_core::sc_module_name& name, const 
   sensitive << state_i << dr1_i.x << dr1_i.y << dr1_i.z << dr2_i.x << dr2_i.y << dr2_i.z;
   SC_METHOD(lookup);
   sensitive << face_moved_ << leave_i << climb_i << ray_signs_i << nav_line_i << nav_axis_i
-            << nav_negative_i << neighbour_i;
+            << nav_negative_i << nav_portal_i << neighbour_i;
+  if (k.portals_per_face > 1) sensitive << top_tag_i;
 }
 
 decision_datapath_core::inputs decision_datapath::inputs() const {
@@ -217,7 +266,7 @@ decision_datapath_core::inputs decision_datapath::inputs() const {
   in.nav_negative = nav_negative_i.value();
   in.nav_move = nav_move_i.value();
   in.nav_op = nav_op_i.value();
-  in.velocity_z = velocity_z_i.signed_value();
+  in.velocity = velocity_i.signed_value();
   in.descend = descend_i.value();
   in.climb = climb_i.value();
   in.in_return = state_i.value() == StateReturn;
@@ -229,6 +278,7 @@ decision_datapath_core::inputs decision_datapath::inputs() const {
   in.half_size = half_size_i.signed_value();
   in.position = position_i.signed_value();
   in.neighbour = neighbour_i.value();
+  in.back = back_i.value();
   in.interlace =
       !no_interlace_i.value() && scene_interlace_i.value() && (y_i.value() & 1) && !in.nav_line;
   return in;
@@ -250,7 +300,8 @@ void decision_datapath::seq() {
   hit_face_o.drive(core_.hit_face_q);
   fdata_o.drive(core_.face_code());
   decide();  // with the rays of before the edge; again when they change
-  if (core_.face_q != face || core_.dom_q != dom) face_moved_.notify(sc_core::SC_ZERO_TIME);
+  if (core_.face_q != face || core_.dom_q != dom || knobs_.portals_per_face > 1)
+    face_moved_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void decision_datapath::decide() {
@@ -266,9 +317,14 @@ void decision_datapath::lookup() {
   in.climb = climb_i.value();
   in.leave = leave_i.value();
   in.signs = ray_signs_i.value();
+  in.nav_portal = nav_portal_i.value();
   in.neighbour = neighbour_i.value();
-  look_axis_o.drive(core_.lookup_axis(in));
-  look_signs_o.drive(core_.lookup_signs(in));
+  in.top_tag = top_tag_i.value();
+  const auto look = core_.look(in);
+  look_axis_o.drive(look.axis);
+  look_signs_o.drive(look.signs);
+  look_portal_o.drive(look.portal);
+  look_way_o.drive(look.way);
   fwrite_o.drive(core_.face_write(in));
 }
 

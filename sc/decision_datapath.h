@@ -6,18 +6,22 @@
 //         two truncated 9 x 8 bit products. Descending and climbing move the corner by room sizes
 //         and distances with one adder per axis. Levels of a room: 0, 1 far and 2, 3 near edges of
 //         the portal it was entered by (not at depth 0, where 2 decides the ray's signs), 6 and 7
-//         the face it is left by.
-// Size    61 register bits; corner 3 x 12 bits signed, wraps.
-// Cycles  one decision, one descent or one climb a clock; a room change takes two (second = 1).
+//         the face it is left by. Where a face has several portals, a ray that misses one goes to
+//         the next, as to another room of the same depth; the last one's miss is the wall.
+// Size    61 register bits; corner 3 x 12 bits signed, wraps. Several portals: 4 more, the number
+//         of the portal entered by and of the one that leads back.
+// Cycles  one decision, one descent or one climb a clock; a room change takes two (second = 1), so
+//         does the move from one portal to the next.
 // Comb    state_i, dr1_*_i, dr2_*_i -> dec_o; leave_i, climb_i, ray_signs_i, neighbour_i and the
-//         nav_*_i -> look_axis_o, look_signs_o, fwrite_o. mask_o, tag_o, wall_o, second_o, room_o,
-//         corner_*_o, hit_face_o, fdata_o: registers only.
+//         nav_*_i, with several portals also top_tag_i -> look_*_o, fwrite_o. mask_o, tag_o,
+//         wall_o, second_o, room_o, corner_*_o, hit_face_o, fdata_o: registers only.
 // Stall   holds when nothing is asked.
 // Reset   tracer_reset_i, restart_i (not on the nav_line), active_start_i on the nav_line: the
 //         root, depth 0, level 2, at the camera. face, dom and hit_face are not reset.
 // Knobs   dr_bits, corner_bits, corner_factor_bits, partial_products_cut, max_room_depth,
 //         face_stack_depth, skip_shared_edges (the levels of an edge that lies on the edge of the
-//         face are passed over).
+//         face are passed over; not for the second and later portals of a face). From the scene:
+//         portals_per_face.
 // Test    tests/decision_datapath_test.cpp
 // Source  contract section 11; seed 000 "Geometry tests", "Subdeterminant calculation".
 //
@@ -47,6 +51,8 @@ struct decision_datapath_core {
   int face_q = 0, hit_face_q = 0;
   bool dom_q = false, dom_prev_q = false;
   bool wall_q = false, second_q = false, descend_q = false;
+  // Several portals in a face only: the one the room was entered by, and the one that leads back.
+  int portal_q = 0, back_q = 0;
   // skip_shared_edges only: extent of the room being left, and per depth the levels (bits) that
   // need no decision.
   vec3 left_far_q{}, left_near_q{};
@@ -58,38 +64,43 @@ struct decision_datapath_core {
     vec3 nav_position;  // signed
     int nav_room;
     // Navigator's controls, on the nav_line
-    int nav_axis;
+    int nav_axis, nav_portal;
     bool nav_negative, nav_move;
-    int nav_op, velocity_z;
+    int nav_op;
+    vec3 velocity;
     // subdivider
     bool descend, climb, in_return;
     int cur, signs;  // decision to descend with; stored ray signs
-    int leave;       // {descends at level 7, decision}
+    int leave;       // {leaves by a face or past a portal's edge, decision}
     // stacks
     int top_tag, face_read;
-    // scene: the current room and its neighbour
+    // scene: the current room, the room looked for, and its portal that leads back here
     vec3 half_size, position;
-    int neighbour;
+    int neighbour, back;
     bool interlace;  // this line shows the previous camera position
   };
 
-  int tag() const { return depth_q << LevelBits | level_q; }
+  int tag() const { return portal_q << TagBits | depth_q << LevelBits | level_q; }
   /// Bits of the decision that count: the three signs at the top of the tree, else the bit.
   int mask() const { return depth_q == 0 && level_q < 4 ? 14 : 1; }
   /// {sign z, sign y, sign x, bit} for a ray direction.
   int decide(const vec3& dr, const knobs& k) const;
 
-  /// What scene is asked for: face axis and, per axis, 1 for towards negative coordinates. A climb
-  /// looks back through the face the room was entered by, else the lookup follows the ray.
-  int lookup_axis(const inputs& in) const {
-    return in.nav_line ? in.nav_axis : in.climb ? face_q : new_face(in.leave);
-  }
-  int lookup_signs(const inputs& in) const {
-    return in.nav_line ? (in.nav_negative ? 7 : 0) : in.climb ? ~in.signs & 7 : in.signs;
-  }
+  /// What scene is asked for.
+  struct lookup {
+    int axis, signs;  // of the face; per axis, 1 for towards negative coordinates
+    int portal, way;  // look_way
+  };
+  /// A climb looks back through the face the room was entered by, so does a move to the portal
+  /// before or after; else the lookup follows the ray.
+  lookup look(const inputs& in) const;
   /// A room is entered: the face stack is written at this depth.
-  bool face_write(const inputs& in) const { return in.leave && in.neighbour != SolidRoom; }
-  int face_code() const { return face_q | dom_prev_q; }
+  bool face_write(const inputs& in) const {
+    return in.leave && level_q == 7 && in.neighbour != SolidRoom;
+  }
+  int face_code() const {
+    return back_q << (FaceBits + PortalBits) | portal_q << FaceBits | face_q | dom_prev_q;
+  }
 
   void clock(const inputs& in, const knobs& k);
 
@@ -99,6 +110,10 @@ struct decision_datapath_core {
     return dom_q ? (bit ? 2 : 1) : (bit ? 0 : 2);
   }
   bool go_down(const inputs& in) const { return in.descend || (second_q && descend_q); }
+  static int target_depth(const inputs& in) {
+    return in.top_tag >> LevelBits & low_bits(DepthBits);
+  }
+  static int target_portal(const inputs& in) { return in.top_tag >> TagBits; }
   /// Position of the room in the mirrored world.
   static int mirrored_position(int a, const inputs& in) {
     return bit_of(in.signs, a) ? -in.position[a] : in.position[a];
@@ -117,6 +132,9 @@ struct decision_datapath_core {
   void enter(const inputs& in, const knobs& k);
   int shared_edges(const inputs& in, const knobs& k) const;
   void go_to_test(int level, const inputs& in);
+  void arrive(const inputs& in);
+  void leave(const inputs& in);
+  void go_beside(int portal, const inputs& in);
   void climb(const inputs& in);
   void navigate(const inputs& in);
   void hit_wall(int face) {
@@ -137,15 +155,16 @@ class decision_datapath : public sc_core::sc_module {
   // Pins of the chip, sequencer
   in_port<1> no_interlace_i{"no_interlace_i"};
   in_port<1> scene_interlace_i{"scene_interlace_i"};
-  in_port<2> velocity_z_i{"velocity_z_i"};  // signed
+  axes_in<VelocityPortBits> velocity_i{"velocity", "_i"};  // signed
   // navigator
-  axes_in<NavigatorBits> nav_position_i{"nav_position", "_i"};  // signed
-  in_port<RoomBits> nav_room_i{"nav_room_i"};
+  axes_in<NavigatorPortBits> nav_position_i{"nav_position", "_i"};  // signed
+  in_port<RoomPortBits> nav_room_i{"nav_room_i"};
   in_port<2> nav_axis_i{"nav_axis_i"};
+  in_port<PortalBits> nav_portal_i{"nav_portal_i"};
   in_port<1> nav_negative_i{"nav_negative_i"};
   in_port<3> nav_op_i{"nav_op_i"};  // corner_op
   in_port<1> nav_move_i{"nav_move_i"};
-  axes_out<CornerBits> corner_o{"corner", "_o"};  // signed
+  axes_out<CornerPortBits> corner_o{"corner", "_o"};  // signed
   // ray_stepper
   axes_in<DrPortBits> dr1_i{"dr1", "_i"};  // signed, left end
   axes_in<DrPortBits> dr2_i{"dr2", "_i"};  // signed, right end
@@ -153,28 +172,31 @@ class decision_datapath : public sc_core::sc_module {
   in_port<2> state_i{"state_i"};
   out_port<4> dec_o{"dec_o"};
   out_port<4> mask_o{"mask_o"};
-  out_port<TagBits> tag_o{"tag_o"};  // {depth, level}
+  out_port<TagPortBits> tag_o{"tag_o"};  // {portal, depth, level}
   out_port<1> wall_o{"wall_o"};
   out_port<1> second_o{"second_o"};
   // subdivider: the move
   in_port<1> descend_i{"descend_i"};
   in_port<1> climb_i{"climb_i"};
   in_port<4> cur_i{"cur_i"};
-  in_port<2> leave_i{"leave_i"};          // {descends at level 7, decision}
+  in_port<2> leave_i{"leave_i"};          // {leaves a face, decision}
   in_port<3> ray_signs_i{"ray_signs_i"};  // 1: negative
   in_port<1> restart_i{"restart_i"};
   // stacks
-  in_port<TagBits> top_tag_i{"top_tag_i"};
-  in_port<2> fread_i{"fread_i"};
+  in_port<TagPortBits> top_tag_i{"top_tag_i"};
+  in_port<FacePortBits> fread_i{"fread_i"};
   out_port<1> fwrite_o{"fwrite_o"};
-  out_port<2> fdata_o{"fdata_o"};
+  out_port<FacePortBits> fdata_o{"fdata_o"};
   // scene
-  out_port<RoomBits> room_o{"room_o"};
+  out_port<RoomPortBits> room_o{"room_o"};
   out_port<2> look_axis_o{"look_axis_o"};
   out_port<3> look_signs_o{"look_signs_o"};
-  axes_in<CornerBits> half_size_i{"half_size", "_i"};
-  axes_in<CornerBits> position_i{"position", "_i"};  // signed
-  in_port<RoomBits> neighbour_i{"neighbour_i"};
+  out_port<PortalBits> look_portal_o{"look_portal_o"};
+  out_port<2> look_way_o{"look_way_o"};  // look_way
+  axes_in<CornerPortBits> half_size_i{"half_size", "_i"};
+  axes_in<CornerPortBits> position_i{"position", "_i"};  // signed
+  in_port<RoomPortBits> neighbour_i{"neighbour_i"};
+  in_port<PortalBits> back_i{"back_i"};
   // pixel_output
   out_port<2> hit_face_o{"hit_face_o"};  // axis of the wall hit
 

@@ -34,6 +34,11 @@ struct knobs {
   int skip_shared_edges = 0;
   int speed = 0;
 
+  // Not in the table: what a scene file asks for (scene_program.h). The defaults are the chip.
+  int navigator_bits = 9;    ///< width of each stored camera coordinate
+  bool free_flight = false;  ///< the navigator stores all bits, not only those of flights along z
+  int portals_per_face = 1;  ///< at most
+
   /// Largest depth at which a room is entered: the face stack must hold one face per room.
   int room_depth_limit() const {
     return max_room_depth < face_stack_depth ? max_room_depth : face_stack_depth - 1;

@@ -4,8 +4,15 @@
 
 namespace racebeam {
 
+namespace {
+
+// The chip's room: only j, bits 4 to 7, is stored.
+constexpr int WiredRoom = 4, WiredRoomMask = 15 << 4;
+
+}  // namespace
+
 navigator_core::outputs navigator_core::comb(bool nav_line, const vec3& corner) const {
-  if (!nav_line) return {0, false, CornerHold, false};
+  if (!nav_line) return {0, false, CornerHold, false, false};
   const bool odd = nav_state_q & 1;
   int axis = 0;
   bool any = false;
@@ -14,7 +21,7 @@ navigator_core::outputs navigator_core::comb(bool nav_line, const vec3& corner) 
       axis = a;
       any = true;
     }
-  outputs o{axis, false, CornerHold, false};
+  outputs o{axis, false, CornerHold, false, any};
   switch (nav_state_q) {
     case NavAdjust: o.op = CornerAddVelocity; break;
     case NavToPlus: o.op = CornerAddS; break;
@@ -27,42 +34,66 @@ navigator_core::outputs navigator_core::comb(bool nav_line, const vec3& corner) 
       o.op = any ? CornerLeaveMinus : CornerHold;
       break;
     case NavFinish: o.op = CornerAddR; break;
+    case NavTryPlus:
+    case NavTryDone: o.op = CornerAddS; break;
+    case NavTryCheckPlus: o.op = any ? CornerHold : CornerSubtract2S; break;
+    case NavTryNext: o.op = CornerCamera; break;
     default: break;
   }
   return o;
 }
 
-void navigator_core::clock(const inputs& in) {
+void navigator_core::clock(const inputs& in, const knobs& k) {
   if (in.reset) {
     *this = {};
-    position_q[1] = in.start_y;
+    position_q = in.start;
+    room_q = in.start_room;
     return;
   }
-  if (nav_state_q == NavToPlus || nav_state_q == NavStore) {
-    position_q[0] = wrap_signed(in.corner[0], NavigatorBits) & ~63;
-    position_q[1] = (wrap_signed(in.corner[1], NavigatorBits) & ~63) | 32;
-    position_q[2] = wrap_signed(in.corner[2], NavigatorBits);
-  }
-  if (nav_state_q == NavStore) room_j_q = in.room >> 4 & 15;
-  if (in.start) {
+  const bool found = comb(true, in.corner).any;
+  if (nav_state_q == NavToPlus || nav_state_q == NavStore) store(in.corner, k);
+  if (nav_state_q == NavStore)
+    room_q = k.free_flight ? in.room : (in.room & WiredRoomMask) | WiredRoom;
+  if (in.go) {
     nav_state_q = NavAdjust;
+    portal_q = 0;
     return;
   }
-  const bool move = comb(true, in.corner).move;
+  if (nav_state_q == NavTryNext) ++portal_q;
+  nav_state_q = next_state(found, k);
+}
+
+void navigator_core::store(const vec3& corner, const knobs& k) {
+  for (int a = 0; a < 3; ++a) position_q[a] = wrap_signed(corner[a], k.navigator_bits);
+  if (k.free_flight) return;
+  position_q[0] &= ~63;
+  position_q[1] = (position_q[1] & ~63) | 32;
+}
+
+// `found`: some axis qualifies, by the parity of the state's code.
+int navigator_core::next_state(bool found, const knobs& k) const {
+  const bool another = portal_q + 1 < k.portals_per_face;
   switch (nav_state_q) {
-    case NavAdjust: nav_state_q = NavToPlus; break;
-    case NavToPlus: nav_state_q = NavCheckPlus; break;
-    case NavCheckPlus: nav_state_q = move ? NavFinish : NavCheckMinus; break;
-    case NavCheckMinus: nav_state_q = move ? NavFinish : NavIdle; break;
-    case NavFinish: nav_state_q = NavStore; break;
-    default: nav_state_q = NavIdle;
+    case NavAdjust: return NavToPlus;
+    case NavToPlus: return NavCheckPlus;
+    case NavCheckPlus: return found ? NavFinish : NavCheckMinus;
+    case NavCheckMinus: return found ? NavFinish : NavIdle;
+    case NavFinish: return another ? NavTryPlus : NavStore;
+    case NavTryPlus: return NavTryCheckPlus;
+    case NavTryCheckPlus: return found ? NavTryNext : NavTryCheckMinus;
+    case NavTryCheckMinus: return found ? NavTryNext : NavTryDone;
+    case NavTryDone: return NavStore;
+    case NavTryNext: return NavToPlus;
+    default: return NavIdle;
   }
 }
 
-navigator::navigator(const sc_core::sc_module_name& name) : sc_module(name) {
+navigator::navigator(const sc_core::sc_module_name& name, const knobs& k)
+    : sc_module(name), knobs_(k) {
   SC_HAS_PROCESS(navigator);
   SC_METHOD(seq);
-  sensitive << rst_ni << nav_reset_i << nav_line_i << active_start_i << start_y_i;
+  sensitive << rst_ni << nav_reset_i << nav_line_i << active_start_i << start_i.x << start_i.y
+            << start_i.z << start_room_i;
   SC_METHOD(comb);
   sensitive << moved_ << nav_line_i;
 }
@@ -70,13 +101,16 @@ navigator::navigator(const sc_core::sc_module_name& name) : sc_module(name) {
 // Sleeps but for reset and the few clocks of the nav_line in which it flies.
 void navigator::seq() {
   if (!asleep_) {
-    core_.clock({reset(), start_y_i.signed_value(), nav_line_i.value() && active_start_i.value(),
-                 corner_i.signed_value(), room_i.value()});
+    core_.clock(
+        {reset(), start_i.signed_value(), start_room_i.value(),
+         nav_line_i.value() && active_start_i.value(), corner_i.signed_value(), room_i.value()},
+        knobs_);
     moved_.notify(sc_core::SC_ZERO_TIME);
   }
-  const bool start = nav_line_i.value() && active_start_i.value();
-  const bool held = core_.room_j_q == 0 && core_.position_q == vec3{0, start_y_i.signed_value(), 0};
-  const bool needed = start || core_.nav_state_q != NavIdle || (reset() && !held);
+  const bool go = nav_line_i.value() && active_start_i.value();
+  const bool held =
+      core_.room_q == start_room_i.value() && core_.position_q == start_i.signed_value();
+  const bool needed = go || core_.nav_state_q != NavIdle || (reset() && !held);
   asleep_ = !needed;
   if (needed) next_trigger(clk_i->posedge_event());
   else next_trigger();
@@ -84,7 +118,8 @@ void navigator::seq() {
 
 void navigator::comb() {
   nav_position_o.drive(core_.position_q);
-  nav_room_o.drive(core_.room());
+  nav_room_o.drive(core_.room_q);
+  nav_portal_o.drive(core_.portal_q);
   const auto o = core_.comb(nav_line_i.value(), corner_i.signed_value());
   nav_axis_o.drive(o.axis);
   nav_negative_o.drive(o.negative);
@@ -102,7 +137,7 @@ void navigator::comb() {
 
 void navigator::deposit(const navigator_core& from) {
   core_.position_q = from.position_q;
-  core_.room_j_q = from.room_j_q;
+  core_.room_q = from.room_q;
   moved_.notify(sc_core::SC_ZERO_TIME);
 }
 

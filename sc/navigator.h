@@ -3,14 +3,18 @@
 // What    position is room centre minus camera. On the last line of a frame (nav_line) it borrows
 //         the corner adder of decision_datapath for at most 6 clocks: add the velocity, compare
 //         with the room's box on the + side, then on the - side, and move to the neighbour of the
-//         lowest axis that left the box. One room change a frame.
+//         lowest axis that left the box. One room change a frame. Where faces may have several
+//         portals, it then tests the new room's box, and tries the next portal while the camera
+//         is outside: at most 9 clocks more for each.
 // Size    22 register bits: state 3, x 3 (steps of 64), y 3 (odd multiples of 32), z 9, room j 4;
-//         room i = 4 and k = 0 are wired.
-// Cycles  starts in the clock after active_start_i, done 6 clocks later at most.
+//         room i = 4 and k = 0 are wired. Knob free_flight: state 4, three coordinates of
+//         navigator_bits, the whole room, portal 2.
+// Cycles  starts in the clock after active_start_i.
 // Comb    nav_line_i, corner_*_i (signs) -> nav_axis_o, nav_negative_o, nav_op_o, nav_move_o; off
-//         the nav_line: axis 0, hold.
+//         the nav_line: axis 0, hold. nav_portal_o: a register.
 // Stall   none.
-// Reset   rst_ni or nav_reset_i: start position (0, start_y, 0), room j = 0, idle.
+// Reset   rst_ni or nav_reset_i: start_*_i, start_room_i, idle.
+// Knobs   from the scene: navigator_bits, free_flight, portals_per_face.
 // Test    tests/navigator_test.cpp
 // Source  contract section 13.
 //
@@ -19,6 +23,7 @@
 #pragma once
 
 #include "sc/constants.h"
+#include "sc/knobs.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -31,6 +36,12 @@ enum navigator_state {
   NavFinish = 4,
   NavStore = 5,
   NavAdjust = 6,
+  // Several portals in a face: is the camera in the new room?
+  NavTryPlus = 8,
+  NavTryCheckPlus = 10,
+  NavTryCheckMinus = 11,
+  NavTryDone = 9,
+  NavTryNext = 12,
 };
 
 /// What decision_datapath does to its corner on the nav_line (S half size, R position of the room).
@@ -42,18 +53,21 @@ enum corner_op {
   CornerLeavePlus = 4,   // - R - S
   CornerLeaveMinus = 5,  // - R + S
   CornerAddR = 6,
+  CornerCamera = 7,  // := the camera; the room := its room
 };
 
 /// Behaviour of navigator.
 struct navigator_core {
   int nav_state_q = NavIdle;
-  vec3 position_q{};  // signed, 9 bits; the wired low bits of x and y included
-  int room_j_q = 0;
+  vec3 position_q{};  // signed; the wired low bits of x and y included
+  int room_q = 4;     // the wired bits included
+  int portal_q = 0;   // portal that is tried
 
   struct inputs {
     bool reset;  // reset or nav_reset
-    int start_y;
-    bool start;  // nav_line and active_start
+    vec3 start;
+    int start_room;
+    bool go;  // nav_line and active_start
     vec3 corner;
     int room;  // room id of decision_datapath
   };
@@ -62,12 +76,15 @@ struct navigator_core {
     bool negative;
     int op;     // corner_op
     bool move;  // the room becomes the neighbour
+    bool any;   // some axis qualifies: corner < 0 in even states, >= 0 in odd ones
   };
 
-  static constexpr int wired_room_i = 4;
-  int room() const { return room_j_q << 4 | wired_room_i; }
   outputs comb(bool nav_line, const vec3& corner) const;
-  void clock(const inputs& in);
+  void clock(const inputs& in, const knobs& k);
+
+ private:
+  void store(const vec3& corner, const knobs& k);
+  int next_state(bool found, const knobs& k) const;
 };
 
 /// Pins of navigator.
@@ -81,18 +98,20 @@ class navigator : public sc_core::sc_module {
   in_port<1> nav_line_i{"nav_line_i"};
   in_port<1> active_start_i{"active_start_i"};
   // sequencer
-  in_port<9> start_y_i{"start_y_i"};  // signed
+  axes_in<NavigatorPortBits> start_i{"start", "_i"};  // signed, room centre minus camera
+  in_port<RoomPortBits> start_room_i{"start_room_i"};
   // decision_datapath
-  axes_in<CornerBits> corner_i{"corner", "_i"};  // signed
-  in_port<RoomBits> room_i{"room_i"};
-  axes_out<NavigatorBits> nav_position_o{"nav_position", "_o"};  // signed, room centre minus camera
-  out_port<RoomBits> nav_room_o{"nav_room_o"};                   // room of the camera
+  axes_in<CornerPortBits> corner_i{"corner", "_i"};  // signed
+  in_port<RoomPortBits> room_i{"room_i"};
+  axes_out<NavigatorPortBits> nav_position_o{"nav_position", "_o"};  // signed, as start
+  out_port<RoomPortBits> nav_room_o{"nav_room_o"};                   // room of the camera
   out_port<2> nav_axis_o{"nav_axis_o"};
+  out_port<PortalBits> nav_portal_o{"nav_portal_o"};
   out_port<1> nav_negative_o{"nav_negative_o"};  // look towards negative coordinates
   out_port<3> nav_op_o{"nav_op_o"};              // corner_op
   out_port<1> nav_move_o{"nav_move_o"};          // room := neighbour
 
-  explicit navigator(const sc_core::sc_module_name& name);
+  navigator(const sc_core::sc_module_name& name, const knobs& k);
 
   /// Puts the camera to the place of `from` (back door, between clocks).
   void deposit(const navigator_core& from);
@@ -102,6 +121,7 @@ class navigator : public sc_core::sc_module {
   void comb();
   bool reset() const { return !rst_ni.value() || nav_reset_i.value(); }
 
+  const knobs knobs_;
   navigator_core core_;
   sc_core::sc_event moved_{"moved"};
   sc_core::sc_event_or_list corner_events_;

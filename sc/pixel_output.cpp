@@ -10,11 +10,10 @@ namespace {
 constexpr int pins(int r, int g, int b) {
   return (b & 1) << 6 | (g & 1) << 5 | (r & 1) << 4 | (b >> 1) << 2 | (g >> 1) << 1 | r >> 1;
 }
-constexpr int palettes[4][4] = {
+constexpr int palettes[3][4] = {
     {pins(0, 0, 0), pins(0, 0, 1), pins(0, 1, 2), pins(2, 2, 3)},
     {pins(0, 0, 2), pins(0, 1, 2), pins(1, 2, 2), pins(1, 3, 2)},
     {pins(1, 0, 1), pins(2, 1, 1), pins(3, 2, 1), pins(3, 3, 2)},
-    {},
 };
 
 // Bit `index` and the one below it of a dr element, counted for 10 bits.
@@ -31,7 +30,9 @@ int pixel_output_core::uo(const inputs& in, const knobs& k) {
   if (in.lock)
     index = (dr_bits(in.dr2[0], 6, k) | dr_bits(in.dr2[2], 5, k)) & dr_bits(in.dr2[1], 7, k);
   if (in.inverse) index ^= index >> 1;
-  return syncs | palettes[in.palette][index];
+  if (in.palette != TablePalette) return syncs | palettes[in.palette][index];
+  const int colour = in.colours >> (ColourBits * index) & low_bits(ColourBits);
+  return syncs | pins(colour >> 4, colour >> 2 & 3, colour & 3);
 }
 
 pixel_output::pixel_output(const sc_core::sc_module_name& name, const knobs& k)
@@ -40,7 +41,8 @@ pixel_output::pixel_output(const sc_core::sc_module_name& name, const knobs& k)
   SC_METHOD(offer);
   sensitive << hit_face_i << ray_signs_i << y_i << shading_b_i << starving_i;
   SC_METHOD(show);
-  sensitive << display_i << lock_i << inverse_i << palette_i << active_i << hsync_ni << vsync_ni;
+  sensitive << display_i << lock_i << inverse_i << palette_i << colours_i << active_i << hsync_ni
+            << vsync_ni;
 }
 
 void pixel_output::offer() {
@@ -49,17 +51,19 @@ void pixel_output::offer() {
 }
 
 void pixel_output::show() {
-  uo_o.drive(pixel_output_core::uo(
-      {display_i.value(), lock_i.value() != 0, inverse_i.value() != 0, active_i.value() != 0,
-       hsync_ni.value() != 0, vsync_ni.value() != 0, dr2_i.signed_value(), palette_i.value()},
-      knobs_));
+  uo_o.drive(
+      pixel_output_core::uo({display_i.value(), lock_i.value() != 0, inverse_i.value() != 0,
+                             active_i.value() != 0, hsync_ni.value() != 0, vsync_ni.value() != 0,
+                             dr2_i.signed_value(), palette_i.value(), colours_i.value()},
+                            knobs_));
   if (lock_i.value()) {
     if (lock_events_.size() == 0)
       lock_events_ = dr2_i.x->value_changed_event() | dr2_i.y->value_changed_event() |
                      dr2_i.z->value_changed_event() | lock_i->value_changed_event() |
                      display_i->value_changed_event() | inverse_i->value_changed_event() |
-                     palette_i->value_changed_event() | active_i->value_changed_event() |
-                     hsync_ni->value_changed_event() | vsync_ni->value_changed_event();
+                     palette_i->value_changed_event() | colours_i->value_changed_event() |
+                     active_i->value_changed_event() | hsync_ni->value_changed_event() |
+                     vsync_ni->value_changed_event();
     next_trigger(lock_events_);
   }
 }

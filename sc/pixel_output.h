@@ -40,7 +40,7 @@ struct pixel_output_core {
     int display;
     bool lock, inverse, active, hsync_n, vsync_n;
     vec3 dr2;
-    int palette;
+    int palette, colours;
   };
   /// The pins.
   static int uo(const inputs& in, const knobs& k);
@@ -61,7 +61,8 @@ class pixel_output : public sc_core::sc_module {
   in_port<1> lock_i{"lock_i"};
   axes_in<DrPortBits> dr2_i{"dr2", "_i"};  // signed
   in_port<1> inverse_i{"inverse_i"};
-  in_port<2> palette_i{"palette_i"};
+  in_port<2> palette_i{"palette_i"};            // 0..2: the chip's; TablePalette:
+  in_port<ColoursBits> colours_i{"colours_i"};  // four colours r * 16 + g * 4 + b, the first lowest
   in_port<1> active_i{"active_i"};
   in_port<1> hsync_ni{"hsync_ni"};
   in_port<1> vsync_ni{"vsync_ni"};

@@ -78,7 +78,7 @@ scene_core::room scene_core::geometry(int flags, int id) {
 }
 
 int scene_core::neighbour(int flags, int id, int axis, bool negative) {
-  if (id == SolidRoom) return 4;  // recovery, not reached in the demo
+  if ((id & low_bits(RoomBits)) == low_bits(RoomBits)) return 4;  // recovery, not in the demo
   const cell c(flags, id);
   const int d = negative ? -1 : 1;
   switch (axis) {
@@ -90,7 +90,7 @@ int scene_core::neighbour(int flags, int id, int axis, bool negative) {
   }
 }
 
-scene::scene(const sc_core::sc_module_name& name) : sc_module(name) {
+scene::scene(const sc_core::sc_module_name& name) : scene_pins(name) {
   SC_HAS_PROCESS(scene);
   SC_METHOD(comb);
   sensitive << scene_flags_i << room_i << look_axis_i << look_signs_i;

@@ -3,8 +3,10 @@
 // What    rooms on a 9 x 9 grid of 256 units; flags choose one of eight geometries (windows,
 //         portals, blocked cells, heights, tunnel, narrow). R is the room's centre, S its half
 //         size, neighbour the room through the face `axis`, towards negative coordinates where
-//         signs has the axis' bit; 511 where the face is solid.
-// Size    no registers. Room id {k(1), j(4), i(4)}; coordinates 12 bits, modulo 4096.
+//         signs has the axis' bit; all ones where the face is solid. A face has one portal at most:
+//         look_portal_i and look_way_i have no effect, back is 0.
+// Size    no registers. Room id {k(1), j(4), i(4)}, higher bits have no effect; coordinates
+//         12 bits, modulo 4096.
 // Cycles  combinational.
 // Comb    all inputs -> all outputs (S and R do not depend on look_axis_i, look_signs_i).
 // Stall   none.
@@ -21,6 +23,13 @@
 
 namespace racebeam {
 
+/// What is asked of the world's table.
+enum look_way {
+  LookThrough = 0,   // the room behind portal look_portal of the face
+  LookNext = 1,      // that room's face towards us: the room behind its portal after ours
+  LookPrevious = 2,  // ... before ours
+};
+
 /// Behaviour of scene.
 struct scene_core {
   struct room {
@@ -28,23 +37,32 @@ struct scene_core {
   };
   /// Half size and position (signed) of a room.
   static room geometry(int flags, int id);
-  /// Room behind a face, 511 if solid.
+  /// Room behind a face, SolidRoom if there is none.
   static int neighbour(int flags, int id, int axis, bool negative);
 };
 
-/// Pins of scene.
-class scene : public sc_core::sc_module {
+/// Pins of scene and scene_rom.
+class scene_pins : public sc_core::sc_module {
  public:
   // sequencer
   in_port<6> scene_flags_i{"scene_flags_i"};  // scene_flag bits
   // decision_datapath
-  in_port<RoomBits> room_i{"room_i"};
-  in_port<2> look_axis_i{"look_axis_i"};    // face looked through
-  in_port<3> look_signs_i{"look_signs_i"};  // per axis, 1: towards negative coordinates
-  axes_out<CornerBits> half_size_o{"half_size", "_o"};
-  axes_out<CornerBits> position_o{"position", "_o"};  // signed
-  out_port<RoomBits> neighbour_o{"neighbour_o"};      // 511: solid
+  in_port<RoomPortBits> room_i{"room_i"};
+  in_port<2> look_axis_i{"look_axis_i"};               // face looked through
+  in_port<3> look_signs_i{"look_signs_i"};             // per axis, 1: towards negative coordinates
+  in_port<PortalBits> look_portal_i{"look_portal_i"};  // of that face
+  in_port<2> look_way_i{"look_way_i"};                 // look_way
+  axes_out<CornerPortBits> half_size_o{"half_size", "_o"};
+  axes_out<CornerPortBits> position_o{"position", "_o"};  // signed
+  out_port<RoomPortBits> neighbour_o{"neighbour_o"};      // SolidRoom: none
+  out_port<PortalBits> back_o{"back_o"};  // portal of the neighbour's face that leads back
 
+  explicit scene_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The chip's scene.
+class scene : public scene_pins {
+ public:
   explicit scene(const sc_core::sc_module_name& name);
 
  private:

@@ -6,6 +6,8 @@ namespace racebeam {
 
 namespace {
 
+constexpr int StartRoom = 4;  // i = 4, j = 0, k = 0
+
 /// One row of contract 17.1.
 struct scene_choice {
   int flags, palette;
@@ -28,28 +30,28 @@ constexpr scene_choice scene_choices[8] = {
 
 }  // namespace
 
+int sequencer_core::variant() const {
+  const int u = frame_q >> 7 & 7;
+  if (part() == 1) return u ^ 4;
+  if (part() == 4) return u >= 4 ? u ^ 2 : u;
+  return 0;
+}
+
 sequencer_core::outputs sequencer_core::comb(const inputs& in, const knobs& k) const {
   const int e = scene_selector();
   const scene_choice& scene = scene_choices[e];
-  outputs o;
+  outputs o{};
   o.scene_flags = scene.flags;
   o.palette = e == 5 && part() == 4 ? 0 : scene.palette;
   o.shading_b = scene.shading_b;
   o.scene_interlace = scene.interlace;
-  o.start_y = scene.start_y;
-  o.velocity_z = scene.velocity_z;
-  o.variant = part() == 1 ? (frame_q >> 7 & 7) ^ 4 : 0;
-  if (part() == 4) {
-    const int u = frame_q >> 7 & 7;
-    o.variant = u >= 4 ? u ^ 2 : u;
-  }
-  o.fast = lock_enabled() || (part() == 4 && e == 5);
+  o.start = {0, scene.start_y, 0};
+  o.start_room = StartRoom;
+  o.velocity = {0, 0, scene.velocity_z};
   o.inverse = part() == 4 && pattern() == 0 && (measure() & 1);
   o.nav_reset = frame_q % 2048 == 0 || ((part() == 1 || part() == 4) && frame_q % 256 == 0);
-  o.lock = false;
   if (lock_enabled()) {
-    const int gate = rescaled(in.dr2_y, k.dr_bits, DrBits);
-    if (lock_partial() && (gate >> 6 & 3) == 0) {
+    if (lock_partial() && !shows_pattern(in.dr2_y, k)) {
       o.palette = pattern() <= 1 ? 0 : (measure() & 2 ? 0 : 1);
     } else {
       o.palette = 2;
@@ -60,24 +62,34 @@ sequencer_core::outputs sequencer_core::comb(const inputs& in, const knobs& k) c
 }
 
 int sequencer_core::angle(int src, int y) const {
-  const outputs o = comb({}, {});
-  const int faster = o.fast ? 2 : 0;
+  const int faster = fast() ? 2 : 0, v = variant();
   const auto time = [&](int shift) { return (frame_q << (shift | faster)) % 8192 >> 3; };
   const int y9 = wrap_signed(y, 9);
-  const bool twisted = o.variant >= 1 && o.variant <= 3;
-  const int y_shift = o.variant == 3;
+  const int twist = v == 3 ? 2 * y9 : v == 1 || v == 2 ? y9 : 0;
   switch (src) {
-    case AngleYaw: return (time(1) + (twisted ? y9 * (1 << y_shift) : 0)) & 1023;
-    case AnglePitch:
-      return ((time(0) ^ 1023) + (twisted && o.variant != 1 ? y9 * (1 << y_shift) : 0)) & 1023;
-    default:
-      if (o.variant < 4) return 96;
-      return (time(2) + (o.variant >= 6 ? y9 : 0)) & 255;
+    case AngleYaw: return 2 * ((time(1) + twist) & 1023);
+    case AnglePitch: return 2 * (((time(0) ^ 1023) + (v == 1 ? 0 : twist)) & 1023);
+    default: return v < 4 ? 96 : (time(2) + (v >= 6 ? y9 : 0)) & 255;
   }
 }
 
+void sequencer_pins::drive(int frame, const sequencer_outputs& o) {
+  frame_o.drive(frame);
+  scene_flags_o.drive(o.scene_flags);
+  palette_o.drive(o.palette);
+  colours_o.drive(o.colours);
+  shading_b_o.drive(o.shading_b);
+  scene_interlace_o.drive(o.scene_interlace);
+  lock_o.drive(o.lock);
+  inverse_o.drive(o.inverse);
+  start_o.drive(o.start);
+  start_room_o.drive(o.start_room);
+  velocity_o.drive(o.velocity);
+  nav_reset_o.drive(o.nav_reset);
+}
+
 sequencer::sequencer(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : sequencer_pins(name), knobs_(k) {
   SC_HAS_PROCESS(sequencer);
   SC_METHOD(seq);
   sensitive << frame_end_i << rst_ni;
@@ -100,17 +112,8 @@ void sequencer::seq() {
 }
 
 void sequencer::comb() {
-  const auto o = core_.comb({true, false, run_i.value() != 0, dr2_y_i.signed_value()}, knobs_);
-  frame_o.drive(core_.frame_q);
-  scene_flags_o.drive(o.scene_flags);
-  palette_o.drive(o.palette);
-  shading_b_o.drive(o.shading_b);
-  scene_interlace_o.drive(o.scene_interlace);
-  lock_o.drive(o.lock);
-  inverse_o.drive(o.inverse);
-  start_y_o.drive(o.start_y);
-  velocity_z_o.drive(o.velocity_z);
-  nav_reset_o.drive(o.nav_reset);
+  drive(core_.frame_q,
+        core_.comb({true, false, run_i.value() != 0, dr2_y_i.signed_value()}, knobs_));
   // dr2 moves in most clocks: it is listened to only where it matters.
   if (core_.lock_enabled() && core_.lock_partial()) {
     if (lock_events_.size() == 0)

@@ -3,7 +3,8 @@
 // What    counts frames 0..12798 (12799 lives for one clock) and derives from the count: scene
 //         flags, palette, shading, interlace, rotation variant, lock effect, inversion, camera
 //         start, speed and restarts; and the camera angle that camera_unit asks for by src_i.
-//         part = frame[13:11], pattern = frame[10:9], measure = frame[8:7].
+//         part = frame[13:11], pattern = frame[10:9], measure = frame[8:7]. All flights start in
+//         room i = 4, j = 0, k = 0 with x = z = 0 and go along z; colours_o is not used.
 // Size    14 register bits.
 // Cycles  everything but the frame counter is combinational.
 // Comb    dr2_y_i, run_i -> palette_o, lock_o (only in the lock effect's parts);
@@ -36,18 +37,29 @@ enum scene_flag {
 /// What camera_unit asks angle_o for.
 enum angle_source { AngleYaw = 0, AnglePitch = 1, AngleFov = 2 };
 
+/// What sequencer and timeline are told, and what they choose.
+struct sequencer_inputs {
+  bool rst_n, frame_end, run;
+  int dr2_y;  // signed, dr_bits wide
+};
+struct sequencer_outputs {
+  int scene_flags, palette, colours;
+  bool shading_b, scene_interlace, lock, inverse, nav_reset;
+  vec3 start, velocity;  // room centre minus camera
+  int start_room;
+};
+
+/// Whether a partial ray pattern is shown where dr2 has this y component (contract 17.4).
+inline bool shows_pattern(int dr2_y, const knobs& k) {
+  return (rescaled(dr2_y, k.dr_bits, DrBits) >> 6 & 3) != 0;
+}
+
 /// Behaviour of sequencer.
 struct sequencer_core {
-  int frame_q = 0;
+  using inputs = sequencer_inputs;
+  using outputs = sequencer_outputs;
 
-  struct inputs {
-    bool rst_n, frame_end, run;
-    int dr2_y;  // signed, dr_bits wide
-  };
-  struct outputs {
-    int scene_flags, palette, variant, start_y, velocity_z;
-    bool shading_b, scene_interlace, lock, inverse, fast, nav_reset;
-  };
+  int frame_q = 0;
 
   int part() const { return frame_q >> 11; }
   int pattern() const { return frame_q >> 9 & 3; }
@@ -61,9 +73,13 @@ struct sequencer_core {
   bool lock_enabled() const { return part() == 1 && (pattern() != 0 || measure() == 3); }
   bool lock_partial() const { return pattern() != 1; }
 
+  /// Rotation variant, 0..7, and whether it turns faster (contract 17.1, 17.3).
+  int variant() const;
+  bool fast() const { return lock_enabled() || (part() == 4 && scene_selector() == 5); }
+
   /// All outputs but the angle.
   outputs comb(const inputs& in, const knobs& k) const;
-  /// The 10-bit angle or focal length selected by `src`.
+  /// The angle (even, 1/2048 turn) or focal length selected by `src`.
   int angle(int src, int y) const;
 
   void clock(const inputs& in) {
@@ -72,8 +88,8 @@ struct sequencer_core {
   }
 };
 
-/// Pins of sequencer.
-class sequencer : public sc_core::sc_module {
+/// Pins of sequencer and timeline.
+class sequencer_pins : public sc_core::sc_module {
  public:
   // Clock and reset
   in_port<1> clk_i{"clk_i"};
@@ -83,27 +99,40 @@ class sequencer : public sc_core::sc_module {
   in_port<10> y_i{"y_i"};  // signed
   // camera_unit
   in_port<1> run_i{"run_i"};
-  in_port<2> src_i{"src_i"};        // angle_source
-  out_port<10> angle_o{"angle_o"};  // 1024 to the turn, or focal length in pixels
+  in_port<2> src_i{"src_i"};               // angle_source
+  out_port<AngleBits> angle_o{"angle_o"};  // 1/2048 turn, or focal length in pixels
   // ray_stepper
   in_port<DrPortBits> dr2_y_i{"dr2_y_i"};  // signed
   // Choices of the frame
   out_port<FrameBits> frame_o{"frame_o"};
-  out_port<6> scene_flags_o{"scene_flags_o"};  // scene_flag bits
-  out_port<2> palette_o{"palette_o"};          // 0..2
-  out_port<1> shading_b_o{"shading_b_o"};      // dithered shading
+  out_port<6> scene_flags_o{"scene_flags_o"};    // scene_flag bits
+  out_port<2> palette_o{"palette_o"};            // 0..2, or TablePalette:
+  out_port<ColoursBits> colours_o{"colours_o"};  // four colours, the first lowest
+  out_port<1> shading_b_o{"shading_b_o"};        // dithered shading
   out_port<1> scene_interlace_o{"scene_interlace_o"};
   out_port<1> lock_o{"lock_o"};        // ray pattern instead of rooms
   out_port<1> inverse_o{"inverse_o"};  // swap colour indices 2 and 3
-  // navigator
-  out_port<9> start_y_o{"start_y_o"};        // signed
-  out_port<2> velocity_z_o{"velocity_z_o"};  // signed, per frame
+  // navigator: room centre minus camera, signed
+  axes_out<NavigatorPortBits> start_o{"start", "_o"};
+  out_port<RoomPortBits> start_room_o{"start_room_o"};
+  axes_out<VelocityPortBits> velocity_o{"velocity", "_o"};  // per frame
   out_port<1> nav_reset_o{"nav_reset_o"};
 
-  sequencer(const sc_core::sc_module_name& name, const knobs& k);
+  explicit sequencer_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
 
   /// Puts the frame counter to `frame` as if it had counted there (back door, between clocks).
-  void deposit(int frame);
+  virtual void deposit(int frame) = 0;
+
+ protected:
+  void drive(int frame, const sequencer_outputs& o);
+};
+
+/// The chip's sequencer.
+class sequencer : public sequencer_pins {
+ public:
+  sequencer(const sc_core::sc_module_name& name, const knobs& k);
+
+  void deposit(int frame) override;
 
  private:
   void seq();

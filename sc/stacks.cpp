@@ -17,7 +17,7 @@ void stacks::seq() {
   const bool write = push_en_i.value() || fwrite_i.value();
   if (writing_ && write) {
     core_.clock({push_en_i.value() != 0, tag_i.value(), i2_i.value(), sp_i.value(),
-                 fwrite_i.value() != 0, fdata_i.value(), tag_i.value() >> LevelBits},
+                 fwrite_i.value() != 0, fdata_i.value(), depth()},
                 knobs_);
     written_.notify(sc_core::SC_ZERO_TIME);
   }
@@ -30,7 +30,7 @@ void stacks::comb() {
   const auto& top = core_.top(sp_i.value(), knobs_);
   top_tag_o.drive(top.tag);
   top_i2_o.drive(top.i2);
-  fread_o.drive(core_.face(tag_i.value() >> LevelBits, knobs_));
+  fread_o.drive(core_.face(depth(), knobs_));
 }
 
 }  // namespace racebeam

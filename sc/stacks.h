@@ -2,8 +2,9 @@
 //
 // What    the interval stack is a ring of {tag, i2}: a push writes at sp, the top is the entry
 //         below; pushes beyond its size overwrite the oldest entries (subdivider counts the valid
-//         ones). The face stack has one word per room entered: bits face OR dom_prev, read at
-//         depth - 1; reads at depth 0 or above its size give 0, writes above its size are lost.
+//         ones). The face stack has one word per room entered: face OR dom_prev, and with several
+//         portals in a face their numbers; read at depth - 1; reads at depth 0 or above its size
+//         give 0, writes above its size are lost.
 // Size    4 x 17 bits and 9 x 2 bits, flip-flops.
 // Cycles  a write is read from the next clock on.
 // Comb    sp_i -> top_tag_o, top_i2_o; tag_i -> fread_o.
@@ -58,21 +59,22 @@ class stacks : public sc_core::sc_module {
   in_port<1> clk_i{"clk_i"};
   // Interval stack: subdivider pushes {tag, i2}
   in_port<1> push_en_i{"push_en_i"};
-  in_port<TagBits> tag_i{"tag_i"};  // {depth, level}
+  in_port<TagPortBits> tag_i{"tag_i"};  // {portal, depth, level}
   in_port<PixelBits> i2_i{"i2_i"};
   in_port<StackPointerPortBits> sp_i{"sp_i"};
-  out_port<TagBits> top_tag_o{"top_tag_o"};
+  out_port<TagPortBits> top_tag_o{"top_tag_o"};
   out_port<PixelBits> top_i2_o{"top_i2_o"};
   // Face stack: decision_datapath; its address is the depth in tag_i
   in_port<1> fwrite_i{"fwrite_i"};
-  in_port<2> fdata_i{"fdata_i"};
-  out_port<2> fread_o{"fread_o"};
+  in_port<FacePortBits> fdata_i{"fdata_i"};
+  out_port<FacePortBits> fread_o{"fread_o"};
 
   stacks(const sc_core::sc_module_name& name, const knobs& k);
 
  private:
   void seq();
   void comb();
+  int depth() const { return tag_i.value() >> LevelBits & low_bits(DepthBits); }
 
   const knobs knobs_;
   stacks_core core_;

@@ -83,7 +83,9 @@ subdivider_core::outputs subdivider_core::comb(const inputs& in, const knobs& k)
   o.push = push && o.advance;
   o.descend = o.advance && want_descend && !o.returning;
   o.cur = !o.descend ? 0 : state_q == StateLeft ? in.dec : d1_q;
-  o.leave = o.descend && (in.tag & low_bits(LevelBits)) == 7 ? 2 | (o.cur & 1) : 0;
+  const int level = in.tag & low_bits(LevelBits);
+  const bool leaves = level == 7 || (level < 4 && (o.cur & 1) && k.portals_per_face > 1);
+  o.leave = o.descend && leaves ? 2 | (o.cur & 1) : 0;
   return o;
 }
 

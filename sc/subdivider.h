@@ -15,7 +15,8 @@
 //         len_m1_o, ray_signs_o, sp_o, sd_o, line_done_o: registers only.
 // Stall   holds in RETURN while an offer is not accepted; in LEFT while second_i.
 // Reset   tracer_reset_i: LEFT, i1 = 0, i2 = i2_init_i, stack empty; idx2 is camera_unit's.
-// Knobs   interval_stack_depth, hurry_threshold, bisection.
+// Knobs   interval_stack_depth, hurry_threshold, bisection; from the scene: portals_per_face (with
+//         several, leave_o also tells of a ray that passes the edge of a portal).
 // Test    tests/subdivider_test.cpp
 // Source  contract section 9; seed 000 "Subdivision" and "Stepping the dr vector".
 //
@@ -57,7 +58,7 @@ struct subdivider_core {
     int idx_start, i2_init;
     int dec, mask;  // {sign z, y, x, bit} of the selected end; bits that count
     bool wall, second;
-    int tag;  // {depth, level}
+    int tag;  // {portal, depth, level}
     bool starving, ack;
     int top_tag, top_i2;
     bool lock, consume;
@@ -76,7 +77,7 @@ struct subdivider_core {
     int step_size;
     bool copy_sub, push, descend, climb, restart;
     int cur;    // decision to descend with; 0 otherwise
-    int leave;  // {descends at level 7, decision}; 0 otherwise
+    int leave;  // {leaves a face or past a portal's edge, decision}; 0 otherwise
     bool advance, returning;
     int next_state, next_i2, next_lo, next_hi;
   };
@@ -108,13 +109,13 @@ class subdivider : public sc_core::sc_module {
   in_port<4> dec_i{"dec_i"};       // {sign z, sign y, sign x, bit}
   in_port<4> mask_i{"mask_i"};     // bits of dec that count
   in_port<1> wall_i{"wall_i"};
-  in_port<1> second_i{"second_i"};  // half way through a room change
-  in_port<TagBits> tag_i{"tag_i"};  // {depth, level}
+  in_port<1> second_i{"second_i"};      // half way through a room change
+  in_port<TagPortBits> tag_i{"tag_i"};  // {portal, depth, level}
   // decision_datapath: the move
   out_port<1> descend_o{"descend_o"};
   out_port<1> climb_o{"climb_o"};
   out_port<4> cur_o{"cur_o"};              // decision to descend with; 0 otherwise
-  out_port<2> leave_o{"leave_o"};          // {descends at level 7, decision}; 0 otherwise
+  out_port<2> leave_o{"leave_o"};          // {leaves a face, decision}; 0 otherwise
   out_port<3> ray_signs_o{"ray_signs_o"};  // stored ray signs, 1: negative
   out_port<1> restart_o{"restart_o"};
   // interval_fifo
@@ -133,7 +134,7 @@ class subdivider : public sc_core::sc_module {
   out_port<PixelBits> i2_o{"i2_o"};
   out_port<StackPointerPortBits> sp_o{"sp_o"};
   out_port<StackCountPortBits> sd_o{"sd_o"};
-  in_port<TagBits> top_tag_i{"top_tag_i"};
+  in_port<TagPortBits> top_tag_i{"top_tag_i"};
   in_port<PixelBits> top_i2_i{"top_i2_i"};
   // Lock effect
   in_port<1> lock_i{"lock_i"};

@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sc/constants.h"
+
 namespace racebeam {
 
 namespace {
 
-constexpr int WidestPort = 14;
+constexpr int WidestPort = ColoursBits;
 
 template <int Bits>
 class WirePin : public UnitBench::Pin {

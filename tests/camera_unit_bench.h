@@ -79,7 +79,9 @@ class CameraUnitKnobTest : public testing::Test {
     drive("step_i", idx2 != i2);
     bench->settle();
     const int src = out("src_o");
-    drive("angle_i", src == AngleYaw ? view.yaw : src == AnglePitch ? view.pitch : view.fov);
+    drive("angle_i", src == AngleYaw     ? 2 * view.yaw
+                     : src == AnglePitch ? 2 * view.pitch
+                                         : view.fov);
     bench->settle();
   }
 

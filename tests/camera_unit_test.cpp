@@ -167,7 +167,7 @@ TYPED_TEST(CameraUnitTest, RunHoldsWhateverTheTracerDoes) {
   std::mt19937 random(3);
   for (int c = 0; c < 1500; ++c) {
     this->drive("step_i", random() & 1);
-    this->drive("angle_i", random() & 1023);
+    this->drive("angle_i", random() & 2047);
     this->bench->drive("dr2", "_i", {c & 511, -c & 511, c % 7});
     this->bench->settle();
     ASSERT_EQ(this->out("run_o"), 1);

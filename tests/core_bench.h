@@ -21,7 +21,7 @@ class CoreBench {
   explicit CoreBench(const knobs& k, int first = 0)
       : knobs_(k), raster_(k.clocks_per_pixel, k.speed) {
     chip_.clock(false, k);
-    chip_.deposit(first);
+    chip_.deposit(first, k);
   }
 
   struct Frame {

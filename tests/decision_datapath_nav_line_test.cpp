@@ -44,7 +44,7 @@ TYPED_TEST(DecisionDatapathNavLineTest, NavLineTraceOfFrame129) {
   d.scene = pillars;
   d.set("y_i", 251);
   d.set("scene_interlace_i", 1);
-  d.set("velocity_z_i", -1);
+  d.bench.drive("velocity", "_i", {0, 0, -1});
   d.start({0, -224, -128}, room_of(4, 0, 0));
   d.set("nav_line_i", 1);
   d.set("active_start_i", 1);
@@ -81,7 +81,7 @@ TYPED_TEST(DecisionDatapathNavLineTest, NavLineOperationsAddSizesAndDistances) {
     d.start(start, 9);
     d.set("nav_line_i", 1);
     d.set("nav_op_i", op);
-    d.set("velocity_z_i", velocity);
+    d.bench.drive("velocity", "_i", {0, 0, velocity});
     d.clock();
     d.set("nav_line_i", 0);
     return d.corner();

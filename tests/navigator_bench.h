@@ -46,7 +46,8 @@ class NavigatorTest : public testing::Test {
   NavigatorTest() {
     bench.clock(2);
     bench["rst_ni"].drive(1);
-    bench["start_y_i"].drive(world.start_y);
+    bench.drive("start", "_i", {0, world.start_y, 0});
+    bench["start_room_i"].drive(4);
     bench.settle();
   }
 
@@ -113,7 +114,8 @@ class NavigatorTest : public testing::Test {
   /// A flight of `frames` frames against contract 17.6 (13.1 for the pillars).
   void fly(int frames, int velocity_z) {
     world.velocity = {0, 0, velocity_z};
-    bench["start_y_i"].drive(world.start_y);
+    bench.drive("start", "_i", {0, world.start_y, 0});
+    bench["start_room_i"].drive(4);
     int j = 0;  // counts on, where the tunnel's room number wraps
     for (int h = 0; h < frames; ++h) {
       if (h == 0) {
@@ -133,7 +135,7 @@ class NavigatorTest : public testing::Test {
   World world;
   vec3 corner{};
   int room = 4;
-  Unit unit{"dut"};
+  Unit unit{"dut", knobs{}};
   UnitBench bench{unit};
 };
 

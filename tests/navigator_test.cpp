@@ -45,12 +45,12 @@ TYPED_TEST(NavigatorTest, ResetHasPriorityInEveryState) {
       this->clock();
       EXPECT_EQ(this->position(), (vec3{0, -224, 0})) << reset << " in clock " << state;
       EXPECT_EQ(this->out("nav_op_o"), CornerHold) << reset << " in clock " << state;
-      this->bench["start_y_i"].drive(160);
+      this->bench.drive("start", "_i", {0, 160, 0});
       this->clock(true);  // also over a start
       EXPECT_EQ(this->position(), (vec3{0, 160, 0}));
       EXPECT_EQ(this->out("nav_op_o"), CornerHold);
       this->bench[reset].drive(!level);
-      this->bench["start_y_i"].drive(-224);
+      this->bench.drive("start", "_i", {0, -224, 0});
       this->clock();
       EXPECT_EQ(this->position(), (vec3{0, 160, 0}));
     }

@@ -11,7 +11,7 @@ namespace racebeam {
 GoldenPicture core_picture(int frame, const knobs& k) {
   chip_core chip;
   chip.clock(false, k);
-  chip.deposit(frame);
+  chip.deposit(frame, k);
 
   const Raster raster(k.clocks_per_pixel, k.speed);
   GoldenPicture picture;

@@ -97,9 +97,8 @@ GoldenVector GoldenIdeal::ray(int pixel) const {
 GoldenCamera::GoldenCamera(int frame) : frame_(frame) {
   sequencer_core sequencer;
   sequencer.frame_q = frame;
-  const auto choice = sequencer.comb({}, {});
-  variant_ = choice.variant;
-  fast_ = choice.fast;
+  variant_ = sequencer.variant();
+  fast_ = sequencer.fast();
 }
 
 GoldenRays GoldenCamera::rays(int y) const {

@@ -46,8 +46,8 @@ GoldenWorld::GoldenWorld(int frame, const knobs& k)
   lock = of_rooms.lock     ? GoldenLock::Full
          : of_pattern.lock ? GoldenLock::Partial
                            : GoldenLock::None;
-  const auto camera = fly_to(frame);
-  explore(of_rooms.scene_flags, camera.room(), camera.position_q);
+  const auto camera = fly_to(frame, k);
+  explore(of_rooms.scene_flags, camera.room_q, camera.position_q);
 }
 
 void GoldenWorld::explore(int flags, int id, const vec3& position) {

@@ -1,0 +1,46 @@
+// scene_rom: the world as a table, for scene files; takes the place of scene, with the same pins.
+//
+// What    size, place and neighbours of each room are read from a scene_program. A face has up to
+//         four portals; portal 0 is tried first. LookThrough answers the room behind a portal.
+//         LookNext and LookPrevious are asked in the room behind a portal, with the face and the
+//         portal that lead back: they answer the room behind the portal beside, in the order of
+//         the face that was left. back_o is the portal that leads back from the room answered.
+// Size    no registers; a row of the table has 6 x 16 bits of sizes and places and 24 x 15 bits of
+//         portals.
+// Cycles  combinational; LookNext and LookPrevious read the table twice.
+// Comb    all inputs but scene_flags_i -> all outputs (S and R depend on room_i only).
+// Stall   none.
+// Reset   none. A room that the table does not have is of size 0, at 0, and solid.
+// Test    tests/scene_rom_test.cpp
+// Source  architecture page "Scenes"; seed 000 "Limitations" (several portals in one face).
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/scene.h"
+#include "sc/scene_program.h"
+
+namespace racebeam {
+
+/// Behaviour of scene_rom.
+struct scene_rom_core {
+  /// Half size and position of a room.
+  static scene_core::room geometry(const scene_program& program, int id);
+  /// What is behind a face; SolidRoom if nothing.
+  static portal_row look(const scene_program& program, int id, int axis, bool negative, int portal,
+                         int way);
+};
+
+/// scene_rom with the table of a program, which must outlive it.
+class scene_rom : public scene_pins {
+ public:
+  scene_rom(const sc_core::sc_module_name& name, const scene_program& program);
+
+ private:
+  void comb();
+
+  const scene_program& program_;
+};
+
+}  // namespace racebeam
