@@ -89,6 +89,15 @@ TEST(ScenePortals, AnOpeningIsTheNearFaceOfTheRoomBehindWhereverThatIs) {
   }
 }
 
+// The room behind the north wall begins at -128, behind the camera. Lengthened backwards, the ray
+// of pixel 390 would go through that face, at x = -56, and then hit the room's east wall.
+TEST(ScenePortals, AnOpeningBehindTheCameraIsNone) {
+  const GoldenScene shown("overlap = true\n[camera]\nroom = \"hall\"\nfov = 160\n" +
+                          room("hall", "0, 0, 0", "256, 128, 256", "north = \"long\"") +
+                          room("long", "0, 0, 100", "64, 64, 228"));
+  for (const Tracer tracer : GoldenTracers) EXPECT_EQ(shown.hit(tracer, 390, 0).face, 2);
+}
+
 // A ray enters max_room_depth rooms; openings that it misses do not count.
 TEST(ScenePortals, MissedOpeningsDoNotCountAsDepth) {
   GoldenScene shown(two_openings("\"niche\", \"corridor\""));
