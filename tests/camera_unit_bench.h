@@ -49,7 +49,7 @@ struct Line {
 inline Line expected_line(const View& view, int y) {
   const GoldenLine golden = golden_line(view, y);
   Line line{golden.dr_0, golden.ddr, 0};
-  const int u1 = 2 * view.yaw % 512, u2 = 2 * view.pitch % 512, v2 = 511 - u2;
+  const int u1 = view.yaw % 512, u2 = view.pitch % 512, v2 = 511 - u2;
   const int start[3] = {0, 256, 512}, target[3] = {view.fov, mod(y + 256, 512), 192};
   for (int pass = 0; pass < 3; ++pass) {
     const int product = 4 + K(0, u1) + 3 + (pass < 2 ? K(0, v2) + 2 + K(0, u2) + 2 : 0);
@@ -79,9 +79,7 @@ class CameraUnitKnobTest : public testing::Test {
     drive("step_i", idx2 != i2);
     bench->settle();
     const int src = out("src_o");
-    drive("angle_i", src == AngleYaw     ? 2 * view.yaw
-                     : src == AnglePitch ? 2 * view.pitch
-                                         : view.fov);
+    drive("angle_i", src == AngleYaw ? view.yaw : src == AnglePitch ? view.pitch : view.fov);
     bench->settle();
   }
 

@@ -90,7 +90,8 @@ TYPED_TEST(CameraUnitTest, RandomViewsGiveTheClosedForm) {
   std::mt19937 random(11);
   for (int n = 0; n < 1500; ++n) {
     const auto below = [&](int limit) { return static_cast<int>(random() % limit); };
-    const View view{below(1024), below(1024), n % 8 ? below(256) : 0};  // fov 0: SCALE of 1 or 2
+    const int fov = n % 8 ? below(256) : 0;  // 0: SCALE of 1 or 2
+    const View view{below(2048), below(2048), fov};
     const int y = n % 5 ? below(525) - 273 : 0;
     SCOPED_TRACE(testing::Message()
                  << view.yaw << " " << view.pitch << " " << view.fov << " " << y);

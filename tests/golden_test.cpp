@@ -4,13 +4,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tb/demo_parts.h"
 #include "tb/golden/core_renderer.h"
-#include "tb/golden/geometry.h"
-#include "tb/golden/trace_2.h"
 #include "tb/golden/trace_4.h"
+#include "tests/golden_hits.h"
 
 namespace racebeam {
 namespace {
@@ -110,10 +107,6 @@ TEST(Trace4, SeesEveryLimitOfTheChip) {
   expect_seen(&knobs::interlace, chip.interlace, 1023);
 }
 
-bool same(const GoldenHit& a, const GoldenHit& b) {
-  return a.face == b.face && a.negative == b.negative;
-}
-
 // Measured over 1013 frames: 108 pixels (0.035 %) a frame, at most 464; seed: 0.02 to 0.04 %. An
 // edge that chatters does so over a few pixels: two thirds of the runs measured are of one, the
 // longest 38.
@@ -129,7 +122,7 @@ TEST(Trace2, DiffersFromTrace4OnlyWhereAnEdgeChatters) {
       const GoldenHits by_pixel = trace_2_line(world, rays, y);
       const GoldenHits by_interval = trace_4_line(world, rays, y);
       for (int p = 0, run = 0; p < VisibleColumns; ++p) {
-        run = same(by_pixel[p], by_interval[p]) ? 0 : run + 1;
+        run = same_hit(by_pixel[p], by_interval[p]) ? 0 : run + 1;
         pixels += run > 0;
         ASSERT_LT(run, 50) << frame_of(part) << " line " << y << " pixel " << p;
       }
@@ -141,38 +134,11 @@ TEST(Trace2, DiffersFromTrace4OnlyWhereAnEdgeChatters) {
   EXPECT_LT(differing, frames * 640 * 480 / 2000) << "0.05 %";
 }
 
-/// Does the ray go so near an edge that a nudge changes what it hits?
-bool on_edge(const GoldenWorld& world, const GoldenVector& ray, int offset_z) {
-  const GoldenHit hit = geometry(world, ray, offset_z);
-  for (int a = 0; a < 3; ++a)
-    for (const double nudge : {-1e-4, 1e-4}) {
-      GoldenVector near = ray;
-      near[a] += nudge;
-      const GoldenHit other = geometry(world, near, offset_z);
-      if (!same(other, hit)) return true;
-    }
-  return false;
-}
-
 // Trace_2 knows boxes only by ang_leq; geometry only by points. On the same rays they agree.
 TEST(Trace2, HitsTheWallThatGeometryHitsWithTheSameRay) {
   for (const DemoPart& part : demo_parts()) {
     const int frame = frame_of(part);
-    GoldenWorld world(frame, {});
-    world.corner_bits = 0;
-    const GoldenCamera camera(frame);
-    for (int y = -240; y < 240; y += 3) {
-      const GoldenRays rays = camera.rays(y);
-      for (int p = 0; p < VisibleColumns; ++p) {
-        GoldenVector ray;
-        for (int a = 0; a < 3; ++a)
-          ray[a] = rays[p][a] < 0 ? rays[p][a] + 1 - 1e-7 : rays[p][a] + 1e-7;
-        const int z = world.offset_z(y);
-        const GoldenHit hit = trace_2(world, rays[p], z), want = geometry(world, ray, z);
-        if (same(hit, want)) continue;
-        ASSERT_TRUE(on_edge(world, ray, z)) << frame << " line " << y << " pixel " << p;
-      }
-    }
+    expect_trace_2_agrees_with_geometry(GoldenWorld(frame, {}), GoldenCamera(frame), 3);
   }
 }
 

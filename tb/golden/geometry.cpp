@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/golden/geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,12 +22,25 @@ struct Box {
   }
 };
 
+/// Does the ray, which has left a room along axis `face` at the distance `left`, go through the
+/// opening into the next room? The opening is that room's near face. One behind the camera is none:
+/// the tunnel has copies of a room beside it that do not begin where it ends.
+bool enters(const Box& next, const GoldenVector& ray, int face, double left) {
+  const double distance = (ray[face] < 0 ? next.high[face] : next.low[face]) / ray[face];
+  if (distance < std::min(left, 0.0)) return false;
+  for (int a = 0; a < 3; ++a) {
+    const double point = distance * ray[a];
+    if (a != face && (point < next.low[a] || point > next.high[a])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 GoldenHit geometry(const GoldenWorld& world, const GoldenVector& ray, int offset_z) {
-  int room = 0;
+  const GoldenRoom* room = &world.rooms.front();
   for (int depth = 0;; ++depth) {
-    const Box box(world.rooms[room], offset_z);
+    const Box box(*room, offset_z);
     int face = 2;
     double nearest = std::numeric_limits<double>::infinity();
     for (int a = 0; a < 3; ++a) {
@@ -35,18 +49,13 @@ GoldenHit geometry(const GoldenWorld& world, const GoldenVector& ray, int offset
       if (distance < nearest) nearest = distance, face = a;
     }
     const GoldenHit hit{face, ray[face] < 0};
-    const int next = world.rooms[room].neighbour[golden_face(face, hit.negative)];
-    if (depth == world.room_depth || next < 0) return hit;
-    const Box beyond(world.rooms[next], offset_z);
-    // The tunnel has copies of a room beside it that do not begin where it ends: walls.
-    const bool touches =
-        hit.negative ? beyond.high[face] == box.low[face] : beyond.low[face] == box.high[face];
-    if (!touches) return hit;
-    for (int a = 0; a < 3; ++a) {
-      const double point = nearest * ray[a];
-      if (a != face && (point < beyond.low[a] || point > beyond.high[a])) return hit;
-    }
-    room = next;
+    const GoldenRoom* entered = nullptr;
+    if (depth < world.room_depth)
+      for (const int next : room->neighbours[golden_face(face, hit.negative)])
+        if (!entered && enters({world.rooms[next], offset_z}, ray, face, nearest))
+          entered = &world.rooms[next];
+    if (!entered) return hit;
+    room = entered;
   }
 }
 

@@ -8,9 +8,9 @@ namespace racebeam {
 
 namespace {
 
-constexpr int Turn = 1024;           // of View's angles
 constexpr int Quarter = 512;         // steps of a quarter turn in the parabolas
 constexpr int HalfWidth = 320;       // pixels
+constexpr int FixedFov = 96;         // pixels
 constexpr int One = Quarter - 1;     // what the chip has for 1
 constexpr int ColumnsTarget = 192;   // 512 - HalfWidth
 constexpr int Sine = 0, Cosine = 1;  // quarters; + 2: negative
@@ -26,10 +26,19 @@ int steps_of_bit(int delta, int k) {
 
 // Sine of an angle, a number of quarters later.
 double parabola(int angle, int quarters) {
-  const int q = 2 * angle / Quarter + quarters;
-  const double u = 2 * angle % Quarter / double{Quarter};
+  const int q = angle / Quarter + quarters;
+  const double u = angle % Quarter / double{Quarter};
   const double size = q & 1 ? (1 - u) * (1 + u) : u * (2 - u);
   return q & 2 ? -size : size;
+}
+
+// The demo's angles count 1/1024 turn; a twist adds y to them (contract 7.5, 17.3).
+GoldenTurns demo_turns(int variant, bool fast) {
+  const int twist = variant == 3 ? 4 : variant == 1 || variant == 2 ? 2 : 0;
+  GoldenTurns turns{
+      {0, 2, fast ? 1 : 4, twist}, {-2, -2, fast ? 2 : 8, variant == 1 ? 0 : twist}, {FixedFov}};
+  if (variant >= 4) turns.fov = {0, 1, 2, variant >= 6};
+  return turns;
 }
 
 }  // namespace
@@ -41,18 +50,19 @@ int golden_steps(int delta, int i) {
   return sum;
 }
 
+GoldenView GoldenTurns::view(int frame, int y) const {
+  const int y9 = wrap_signed(y, 9);
+  return {yaw.value(frame, y9, TurnUnits), pitch.value(frame, y9, TurnUnits),
+          fov.value(frame, y9, FocalUnits)};
+}
+
 GoldenView golden_view(int frame, int variant, bool fast, int y) {
-  const int y9 = mod(y + 256, 512) - 256;
-  const int yaw = fast ? frame : frame / 4;
-  const int pitch = Turn - 1 - (fast ? frame / 2 : frame / 8);
-  const int twist = variant == 3 ? 2 * y9 : variant == 1 || variant == 2 ? y9 : 0;
-  const int fov = variant < 4 ? 96 : mod(frame / 2 + (variant >= 6 ? y9 : 0), 256);
-  return {mod(yaw + twist, Turn), mod(pitch + (variant == 1 ? 0 : twist), Turn), fov};
+  return demo_turns(variant, fast).view(frame, y);
 }
 
 GoldenLine golden_line(const GoldenView& view, int y) {
-  const int t1 = 2 * view.yaw, u1 = t1 % Quarter, v1 = One - u1;
-  const int t2 = 2 * view.pitch, u2 = t2 % Quarter, v2 = One - u2;
+  const int u1 = view.yaw % Quarter, v1 = One - u1;
+  const int u2 = view.pitch % Quarter, v2 = One - u2;
   static constexpr int yaw_offset[3][3] = {{0, 0, 1}, {2, 0, 3}, {1, 0, 2}};
   static constexpr int pitch_offset[2][3] = {{1, 0, 1}, {0, 1, 0}};
   static constexpr int start[3] = {0, 256, 512};
@@ -60,13 +70,13 @@ GoldenLine golden_line(const GoldenView& view, int y) {
   GoldenLine line{{}, {}};
   for (int pass = 0; pass < 3; ++pass) {
     for (int a = 0; a < 3; ++a) {
-      int q = t1 / Quarter + yaw_offset[pass][a];
+      int q = view.yaw / Quarter + yaw_offset[pass][a];
       bool negative = q & 2;
       int product = mod((q & 1 ? v1 : u1) + golden_steps(v1, u1), 1024);
       if (pass < 2 && a == 1) product = One, negative = false;
       if (pass == 2 && a == 1) product = 0, negative = false;
       if (pass < 2) {
-        q = t2 / Quarter + pitch_offset[pass][a];
+        q = view.pitch / Quarter + pitch_offset[pass][a];
         negative ^= (q & 2) != 0;
         product = mod((q & 1 ? 0 : product) + golden_steps(product, v2), 1024);
         product = mod((q & 1 ? product : 0) + golden_steps(product, u2), 1024);
@@ -97,8 +107,12 @@ GoldenVector GoldenIdeal::ray(int pixel) const {
 GoldenCamera::GoldenCamera(int frame) : frame_(frame) {
   sequencer_core sequencer;
   sequencer.frame_q = frame;
-  variant_ = sequencer.variant();
-  fast_ = sequencer.fast();
+  turns_ = demo_turns(sequencer.variant(), sequencer.fast());
+}
+
+GoldenCamera::GoldenCamera(const SceneFile& scene, int frame) : frame_(frame) {
+  const Camera& camera = scene.shot_at(frame).camera;
+  turns_ = {camera.yaw, camera.pitch, camera.fov};
 }
 
 GoldenRays GoldenCamera::rays(int y) const {

@@ -1,7 +1,7 @@
 // The rays of a line in closed form: the chip's integer rays, and the ideal camera's.
 //
-// Sources: contract 7.1 (the vectors), 7.5 and 17.3 (the angles), 8 (what the ray_stepper adds).
-// No step of the chip's camera is repeated here: products and sums are written down at once.
+// Sources: contract 7.1 (the vectors), 7.5 and 17.3 (the demo's angles), 8 (what the ray_stepper
+// adds). No step of the chip's camera is repeated here: products and sums are written down at once.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -11,18 +11,26 @@
 
 #include "sc/constants.h"
 #include "sc/fixed_point.h"
+#include "tb/scene/scene_file.h"
 
 namespace racebeam {
 
 /// What ray_stepper has added at pixel `i` when it steps by `delta` / 512 a pixel (contract 8).
 int golden_steps(int delta, int i);
 
-/// Where a line looks: yaw and pitch in 1/1024 turn, focal length in pixels.
+/// Where a line looks: yaw and pitch in 1/2048 turn, focal length in pixels.
 struct GoldenView {
   int yaw, pitch, fov;
 };
 
-/// The view of a line, for a rotation variant, and where the rotation is fast or not.
+/// How the view moves from frame to frame and from line to line.
+struct GoldenTurns {
+  Turn yaw, pitch, fov;
+
+  GoldenView view(int frame, int y) const;
+};
+
+/// The view of a line of the demo, for a rotation variant, and where the rotation is fast or not.
 GoldenView golden_view(int frame, int variant, bool fast, int y);
 
 /// Ray direction of pixel 0 and its change per pixel in 1/512.
@@ -47,19 +55,20 @@ struct GoldenIdeal {
 /// The chip's ray directions of all pixels of a line.
 using GoldenRays = std::array<vec3, VisibleColumns>;
 
-/// The camera of one frame of the demo. Rays have 10 bits and the chip's stepping, whatever the
-/// knobs dr_bits and stepping say.
+/// The camera of one frame of the demo or of a scene file. Rays have 10 bits and the chip's
+/// stepping, whatever the knobs dr_bits and stepping say.
 class GoldenCamera {
  public:
   explicit GoldenCamera(int frame);
+  GoldenCamera(const SceneFile& scene, int frame);
 
-  GoldenView view(int y) const { return golden_view(frame_, variant_, fast_, y); }
+  GoldenView view(int y) const { return turns_.view(frame_, y); }
   GoldenRays rays(int y) const;
   GoldenIdeal ideal(int y) const { return {view(y), y}; }
 
  private:
-  int frame_, variant_;
-  bool fast_;
+  int frame_;
+  GoldenTurns turns_;
 };
 
 }  // namespace racebeam

@@ -12,13 +12,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr std::uint8_t colour(int r, int g, int b) { return 16 * r + 4 * g + b; }
-constexpr std::uint8_t Palettes[3][4] = {
-    {colour(0, 0, 0), colour(0, 0, 1), colour(0, 1, 2), colour(2, 2, 3)},
-    {colour(0, 0, 2), colour(0, 1, 2), colour(1, 2, 2), colour(1, 3, 2)},
-    {colour(1, 0, 1), colour(2, 1, 1), colour(3, 2, 1), colour(3, 3, 2)},
-};
-
 /// Shading B (contract 15.1): by axis, side, and odd line.
 constexpr int ShadingB[3][2][2] = {{{0, 1}, {3, 3}}, {{1, 1}, {2, 3}}, {{1, 2}, {2, 2}}};
 
@@ -31,16 +24,16 @@ bool shows_pattern(const GoldenWorld& world, const vec3& dr) {
 }
 
 std::uint8_t shown(const GoldenWorld& world, const vec3& dr, const GoldenHit* hit, int y) {
-  int index = 0, palette = world.palette;
-  if (shows_pattern(world, dr)) {
+  const bool pattern = shows_pattern(world, dr);
+  int index = 0;
+  if (pattern) {
     index = (bits(dr[0], 5) | bits(dr[2], 4)) & bits(dr[1], 6);
-    palette = world.pattern_palette;
   } else if (hit) {
     const bool odd = (y & 1) && world.dithering;
     index = world.shading_b ? ShadingB[hit->face][hit->negative][odd] : 3 - hit->face;
   }
   if (world.inverse && index >= 2) index = 5 - index;
-  return Palettes[palette][index];
+  return (pattern ? world.pattern_palette : world.palette)[index];
 }
 
 GoldenRays whole(const GoldenIdeal& camera) {

@@ -1,10 +1,11 @@
 // The rooms around the camera, and how a frame shows them: what every golden tracer starts from.
 //
-// The world is input to the tracers, not what they judge: it is read from the scene table and the
-// sequencer's choices. Room coordinates of the chip wrap modulo 4096; here each room is placed
-// relative to the neighbour it was found from, in plain integers with the camera at the origin, so
-// that the endless tunnel and the far end of the grid come out as one consistent space. Rooms that
-// no ray can enter before the depth limit are left out.
+// The world is input to the tracers, not what they judge: it is read from a scene file, or for the
+// demo from the scene table and the sequencer's choices. Room coordinates of the chip wrap modulo
+// 2^corner_bits; here each room is placed relative to the neighbour it was found from, in plain
+// integers with the camera at the origin, so that an endless tunnel and the far end of the demo's
+// grid come out as one consistent space. Rooms that no ray can enter before the depth limit are
+// left out.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -15,13 +16,16 @@
 
 #include "sc/fixed_point.h"
 #include "sc/knobs.h"
+#include "tb/scene/camera_path.h"
+#include "tb/scene/scene_file.h"
 
 namespace racebeam {
 
 struct GoldenRoom {
-  vec3 half_size;                ///< half of the box' edges
-  vec3 position;                 ///< of the centre, from the camera
-  std::array<int, 6> neighbour;  ///< by golden_face(): index of a room, -1 if solid
+  vec3 half_size;  ///< half of the box' edges
+  vec3 position;   ///< of the centre, from the camera
+  /// By golden_face(): rooms behind the face, in the order in which a ray tries their openings.
+  std::array<std::vector<int>, FaceCount> neighbours;
 };
 
 /// Index of the face at which a ray leaves along an axis.
@@ -36,6 +40,10 @@ struct GoldenWorld {
   /// is meant: max_room_depth, face_stack_depth, corner_bits, interlace, dithering, bisection.
   GoldenWorld(int frame, const knobs& k);
 
+  /// The world of a frame of a scene without faults that `path`, its camera's, reaches.
+  /// `k.corner_bits` is the width with which the scene is built.
+  GoldenWorld(const SceneFile& scene, const CameraPath& path, int frame, const knobs& k);
+
   std::vector<GoldenRoom> rooms;  ///< the camera is in the first
   int room_depth;                 ///< rooms entered until the next face counts as a wall
   int corner_bits;                ///< width of the corner under test; 0: unlimited
@@ -44,8 +52,8 @@ struct GoldenWorld {
   bool dithering;                 ///< shading B alternates between lines
   bool shading_b;                 ///< by axis, side and line parity; else by axis (contract 15.1)
   bool inverse;                   ///< colour indices 2 and 3 change places
-  int palette;                    ///< of the rooms
-  int pattern_palette;            ///< of the ray pattern
+  Palette palette;                ///< of the rooms
+  Palette pattern_palette;        ///< of the ray pattern
   GoldenLock lock;
 
   /// What line `y` adds to z of every room: the plain rule of contract 5.4. The residues that the
@@ -58,7 +66,7 @@ struct GoldenWorld {
   }
 
  private:
-  void explore(int flags, int id, const vec3& position);
+  explicit GoldenWorld(const knobs& k);
 };
 
 }  // namespace racebeam

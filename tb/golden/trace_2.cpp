@@ -68,13 +68,15 @@ class Ray {
 
 GoldenHit trace_2(const GoldenWorld& world, const vec3& dr, int offset_z) {
   const Ray ray(world, dr, offset_z);
-  int room = 0;
+  const GoldenRoom* room = &world.rooms.front();
   for (int depth = 0;; ++depth) {
-    const int face = ray.exit(world.rooms[room]);
-    const int next = world.rooms[room].neighbour[golden_face(face, ray.negative(face))];
-    if (depth == world.room_depth || next < 0 || !ray.enters(world.rooms[next], face))
-      return {face, ray.negative(face)};
-    room = next;
+    const int face = ray.exit(*room);
+    const GoldenRoom* entered = nullptr;
+    if (depth < world.room_depth)
+      for (const int next : room->neighbours[golden_face(face, ray.negative(face))])
+        if (!entered && ray.enters(world.rooms[next], face)) entered = &world.rooms[next];
+    if (!entered) return {face, ray.negative(face)};
+    room = entered;
   }
 }
 

@@ -8,12 +8,15 @@ namespace racebeam {
 
 namespace {
 
-/// Questions of contract 11.2, in the order in which a room asks them. The first is asked once.
+/// Questions of contract 11.2, in the order in which a room asks them. The first is asked once. The
+/// next four are asked anew for each opening of a face until one is not missed.
 enum Question { Signs, FarFirst, FarSecond, NearFirst, NearSecond, XOrY, Exit };
 
 /// A node of the decision tree.
 struct Node {
-  int room = 0, depth = 0;
+  int room = 0, depth = 0;  ///< the room may be one behind an opening that is under test
+  int left = 0;             ///< the room that is left
+  int opening = 0;          ///< of the face by which it is left
   Question question = Signs;
   int signs = 0;        ///< of the ray, bit a for axis a
   int face = 0;         ///< axis of the opening by which the room is entered
@@ -93,19 +96,29 @@ class LineTracer {
         node.y_wins = decision;
         node.question = Exit;
         break;
-      case Exit: {
+      case Exit:
         node.face = node.y_wins ? (decision ? 2 : 1) : (decision ? 0 : 2);
-        const bool negative = node.signs >> node.face & 1;
-        const int beyond = world_.rooms[node.room].neighbour[golden_face(node.face, negative)];
-        node.wall = beyond < 0 || node.depth == world_.room_depth;
-        node.room = beyond;
+        node.left = node.room;
+        if (node.depth == world_.room_depth) node.wall = true;
+        else try_opening(node, 0);
         ++node.depth;
-        node.question = FarFirst;
         break;
-      }
-      default: node.wall = decision; node.question = static_cast<Question>(node.question + 1);
+      default:
+        if (decision) try_opening(node, node.opening + 1);
+        else node.question = static_cast<Question>(node.question + 1);
     }
     return node;
+  }
+
+  /// The first question about an opening of the face, or the wall behind the last one.
+  void try_opening(Node& node, int opening) const {
+    const bool negative = node.signs >> node.face & 1;
+    const auto& behind = world_.rooms[node.left].neighbours[golden_face(node.face, negative)];
+    node.wall = opening == static_cast<int>(behind.size());
+    if (node.wall) return;
+    node.opening = opening;
+    node.room = behind[opening];
+    node.question = FarFirst;
   }
 
   const GoldenWorld& world_;
