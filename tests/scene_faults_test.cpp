@@ -27,6 +27,7 @@ std::string cell_and(const std::string& more) { return "plan.storeys = \"@\"\n\n
 
 const Bad BadScenes[] = {
     {"Nothing", "", "1:1: the scene has no rooms", "[plan]"},
+    {"EmptyListOfRooms", "room = []\n", "1:1: the scene has no rooms", "[[room]]"},
     {"NotToml", "frames = \n", "1:10: not TOML", "toml.io"},
     {"DoubledKey", "frames = 1\nframes = 2\n", "2:10: not TOML", "toml.io"},
     {"HeaderWithoutKey", "[[ = 3\n", "1:4: not TOML", "toml.io"},
