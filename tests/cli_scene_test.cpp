@@ -52,7 +52,7 @@ TEST_F(CliSceneTest, CheckListsAllFaultsOnStderr) {
     EXPECT_EQ(program.out(), "");
     EXPECT_EQ(program.err(),
               "a.toml:1:10: 'frames' is 0\n"
-              "  help: it must be in 1..100000\n"
+              "  help: it must be in 1..16383: the chip's frame counter has 14 bits\n"
               "a.toml:4:1: unknown key 'yew' in 'camera'\n"
               "  help: did you mean 'yaw'?\n"
               "racebeam: 2 faults in a.toml\n");

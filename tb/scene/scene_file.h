@@ -20,7 +20,7 @@ constexpr int VisibleRooms = 8;    ///< portals that a ray passes at most
 constexpr int MaxRooms = 8191;     ///< 13 bits; the id with all bits set means solid
 constexpr int MaxCornerBits = 16;
 constexpr int MinCornerBits = 10;
-constexpr int MaxFrames = 100000;
+constexpr int MaxFrames = 16383;  ///< the frame counter has 14 bits; its last value ends a loop
 constexpr int TurnUnits = 2048;  ///< angle units in a full turn
 constexpr int FocalUnits = 256;  ///< the focal length counts modulo this
 

@@ -7,7 +7,7 @@ namespace racebeam {
 const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = {
       {"", "name", "text", "the file's name", "shown in reports"},
-      {"", "frames", "1..100000", "600 after the last shot", "length; the chip shows 60 a second"},
+      {"", "frames", "1..16383", "600 after the last shot", "length; the chip shows 60 a second"},
       {"", "corner_bits", "10..16", "as needed", "width of each corner coordinate"},
       {"", "wrap", "true, false", "false", "corners beyond corner_bits may wrap, as on the chip"},
       {"", "overlap", "true, false", "false",
@@ -62,7 +62,7 @@ const std::vector<SceneKey>& scene_keys() {
       {"look", "pattern_palette", "4 texts \"RGB\"", "[\"101\", \"211\", \"321\", \"332\"]",
        "colours of the pattern"},
       {"look", "inverse", "true, false", "false", "swaps the last two colours"},
-      {"shot", "frame", "1..99999", "required", "from this frame on"},
+      {"shot", "frame", "1..16382", "required", "from this frame on"},
       {"shot", "camera", "table", "goes on", "what changes; room or position restart the flight"},
       {"shot", "look", "table", "goes on", "what changes"},
   };

@@ -24,7 +24,7 @@ constexpr std::uintmax_t LargestFile = 16 << 20;
 void read_top(const TomlNode& root, SceneFile& scene, Faults& faults) {
   const TableReader top(root, "", faults);
   top.read("name", scene.name);
-  top.read("frames", 1, MaxFrames, scene.frames);
+  top.read("frames", 1, MaxFrames, scene.frames, FrameBitsHelp);
   top.read("corner_bits", MinCornerBits, MaxCornerBits, scene.corner_bits);
   top.read("wrap", scene.wrap);
   top.read("overlap", scene.overlap);

@@ -135,7 +135,7 @@ class ShotReader {
     shot.place = node.place;
     const TomlNode* frame =
         table.require("frame", "say from when on: frame = 600; 60 frames are a second");
-    if (!frame || !table.read("frame", 1, MaxFrames - 1, shot.frame)) return;
+    if (!frame || !table.read("frame", 1, MaxFrames - 1, shot.frame, FrameBitsHelp)) return;
     if (shot.frame <= scene_.shots.back().frame) {
       faults_.add(frame->place, "the shot is not after the one before it",
                   "order the shots by frame; frame 0 is [camera] and [look]");

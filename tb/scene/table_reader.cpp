@@ -46,8 +46,9 @@ std::string name_help(const std::string& name, const std::vector<std::string>& k
 }
 
 bool read_number(const TomlNode& node, const std::string& name, int low, int high, int& to,
-                 Faults& faults) {
-  const std::string range = std::to_string(low) + ".." + std::to_string(high);
+                 Faults& faults, const std::string& why) {
+  const std::string range =
+      std::to_string(low) + ".." + std::to_string(high) + (why.empty() ? "" : ": " + why);
   if (node.kind == TomlNode::Float && !std::isfinite(node.number)) {
     faults.add(node.place, "'" + name + "' is not a finite number",
                "it must be a whole number " + range);
@@ -103,9 +104,10 @@ const TomlNode* TableReader::require(const std::string& key, const std::string& 
   return node;
 }
 
-bool TableReader::read(const std::string& key, int low, int high, int& to) const {
+bool TableReader::read(const std::string& key, int low, int high, int& to,
+                       const std::string& why) const {
   const TomlNode* node = find(key);
-  return node && read_number(*node, key, low, high, to, faults_);
+  return node && read_number(*node, key, low, high, to, faults_, why);
 }
 
 bool TableReader::read(const std::string& key, bool& to) const {
