@@ -133,6 +133,8 @@ class ShotReader {
     Shot shot = scene_.shots.back();
     shot.restart = false;
     shot.place = node.place;
+    shot.name.clear();
+    table.read("name", shot.name);
     const TomlNode* frame =
         table.require("frame", "say from when on: frame = 600; 60 frames are a second");
     if (!frame || !table.read("frame", 1, MaxFrames - 1, shot.frame, FrameBitsHelp)) return;

@@ -3,6 +3,7 @@
 #include "tb/scene/table_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tb/nearest.h"
@@ -19,16 +20,28 @@ void wrong_type(const TomlNode& node, const std::string& name, const std::string
   faults.add(node.place, "'" + name + "' is " + node.kind_name(), "it must be " + wanted);
 }
 
-bool read_colour(const TomlNode& node, const std::string& name, std::uint8_t& to, Faults& faults) {
-  const bool good = node.kind == TomlNode::String && node.text.size() == 3 &&
-                    node.text.find_first_not_of("0123") == std::string::npos;
-  if (!good) {
-    faults.add(node.place, "a colour of '" + name + "' is not three digits 0..3",
-               "write red, green and blue as a text: \"300\" is red, \"333\" white");
+// Red, green and blue of "RGB" or [r, g, b]; false if there are not three of 0..3.
+bool take_colour(const TomlNode& node, std::array<std::int64_t, 3>& parts) {
+  if (node.kind == TomlNode::String && node.text.size() == parts.size()) {
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = node.text[i] - '0';
+  } else if (node.kind == TomlNode::Array && node.items.size() == parts.size()) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      parts[i] = node.items[i].kind == TomlNode::Integer ? node.items[i].integer : -1;
+  } else {
     return false;
   }
-  to = static_cast<std::uint8_t>((node.text[0] - '0') * 16 + (node.text[1] - '0') * 4 +
-                                 (node.text[2] - '0'));
+  return std::all_of(parts.begin(), parts.end(),
+                     [](std::int64_t part) { return part >= 0 && part <= 3; });
+}
+
+bool read_colour(const TomlNode& node, const std::string& name, std::uint8_t& to, Faults& faults) {
+  std::array<std::int64_t, 3> parts;
+  if (!take_colour(node, parts)) {
+    faults.add(node.place, "a colour of '" + name + "' is not three digits 0..3",
+               "write red, green and blue: \"300\" or [3, 0, 0] is red, \"333\" white");
+    return false;
+  }
+  to = static_cast<std::uint8_t>(parts[0] * 16 + parts[1] * 4 + parts[2]);
   return true;
 }
 

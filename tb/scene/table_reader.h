@@ -33,7 +33,7 @@ class TableReader {
   bool read(const std::string& key, int low, int high, Vector& to) const;
   /// The index of a word in `words`.
   bool read_choice(const std::string& key, const std::vector<std::string>& words, int& to) const;
-  /// Four colours as texts of three digits 0..3.
+  /// Four colours of three parts 0..3, as texts or as lists.
   bool read(const std::string& key, Palette& to) const;
 
   Place place() const { return node_.place; }
