@@ -58,7 +58,7 @@ SceneResult read_scene(std::string_view text, const std::string& name) {
   if (!root) return result;
   read_top(*root, scene, faults);
   const int faults_before = faults.count();
-  if (const TomlNode* plan = root->find("plan")) read_plan(*plan, text, scene.rooms, faults);
+  if (const TomlNode* plan = root->find("plan")) read_plans(*plan, text, scene.rooms, faults);
   std::vector<NamedPortal> portals;
   if (const TomlNode* rooms = root->find("room")) read_rooms(*rooms, scene.rooms, portals, faults);
   check_count(scene, faults_before, faults);

@@ -65,7 +65,8 @@ class ShotReader {
     if (at != numbers_.end()) shot.camera.room = at->second;
     else
       faults_.add(shot.place, "the camera has no room",
-                  "mark a cell of the plan with '@', or write [camera] room = \"ID\"");
+                  "mark a cell of the plan with '@', or write [camera] room = \"ID\"; "
+                  "that of a plan with a set is \"SET.start\"");
   }
 
   void read_camera(const TomlNode& node, Shot& shot) {
