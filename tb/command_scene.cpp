@@ -36,6 +36,13 @@ std::optional<SceneFile> load(const std::string& file) {
   return std::nullopt;
 }
 
+nlohmann::ordered_json timeline(const SceneFile& scene) {
+  nlohmann::ordered_json shots = nlohmann::ordered_json::array();
+  for (const Shot& shot : scene.shots)
+    shots.push_back({{"frame", shot.frame}, {"name", shot.name}});
+  return shots;
+}
+
 nlohmann::ordered_json summary(const SceneFile& scene) {
   const CameraPath path = fly(scene);
   const SceneWidths widths = scene_widths(scene);
@@ -48,6 +55,7 @@ nlohmann::ordered_json summary(const SceneFile& scene) {
           {"portals_per_face", widths.portals_per_face},
           {"shots", scene.shots.size()},
           {"frames", scene.frames},
+          {"timeline", timeline(scene)},
           {"deepest_view", deepest_view(scene)},
           {"room_bits", widths.room_bits},
           {"corner_bits", built_corner_bits(scene, widths)},
@@ -85,6 +93,9 @@ std::string table(const nlohmann::ordered_json& scene) {
       fmt::format("about {} of {} clocks, {} intervals (frame {}, y {}); an estimate",
                   number(line["clocks"]), number(line["budget"]), number(line["intervals"]),
                   number(line["frame"]), number(line["y"])));
+  for (const nlohmann::ordered_json& shot : scene["timeline"])
+    if (shot["name"] != "")
+      row(fmt::format("frame {}", number(shot["frame"])).c_str(), shot["name"].get<std::string>());
   return text;
 }
 

@@ -52,7 +52,7 @@ TEST_F(CliSceneTest, CheckListsAllFaultsOnStderr) {
     EXPECT_EQ(program.out(), "");
     EXPECT_EQ(program.err(),
               "a.toml:1:10: 'frames' is 0\n"
-              "  help: it must be in 1..100000\n"
+              "  help: it must be in 1..16383: the chip's frame counter has 14 bits\n"
               "a.toml:4:1: unknown key 'yew' in 'camera'\n"
               "  help: did you mean 'yaw'?\n"
               "racebeam: 2 faults in a.toml\n");
@@ -68,17 +68,20 @@ TEST_F(CliSceneTest, FilesThatCannotBeReadAreRefused) {
 }
 
 TEST_F(CliSceneTest, ShowCountsAsTextAndAsJson) {
-  write("a.toml", "frames = 120\nplan.storeys = \"@.\"\n");
+  write("a.toml",
+        "frames = 120\nplan.storeys = \"@.\"\n[[shot]]\nframe = 60\nname = \"the end\"\n");
   Program text(folder.path(), {"scene", "show", "a.toml"});
   EXPECT_EQ(text.wait(), 0);
-  for (const char* part : {"rooms          2\n", "1, up to 1 in a face", "120 frames (2.0 s)",
-                           "room 2, corner 11, camera 1 bits"})
+  for (const char* part :
+       {"rooms          2\n", "1, up to 1 in a face", "120 frames (2.0 s), 2 shots",
+        "frame 60       the end\n", "room 2, corner 11, camera 1 bits"})
     EXPECT_THAT(text.out(), HasSubstr(part));
   Program json(folder.path(), {"scene", "show", "a.toml", "--json"});
   const nlohmann::json summary = json.json();
   EXPECT_EQ(summary["schema"], "racebeam-scene");
   EXPECT_EQ(summary["rooms"], 2);
   EXPECT_EQ(summary["portals"], 1);
+  EXPECT_EQ(summary["timeline"][1], (nlohmann::json{{"frame", 60}, {"name", "the end"}}));
   EXPECT_EQ(summary["deepest_view"], 1);
   EXPECT_GT(summary["worst_line"]["clocks"], 0);
 }

@@ -84,14 +84,15 @@ TEST(SceneFileTest, TheStarterSceneIsGoodAndShowsSomething) {
 
 TEST(SceneFileTest, TheScenesOfTheProjectAreGood) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(RACEBEAM_SOURCE_DIR "/scenes")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(RACEBEAM_SOURCE_DIR "/scenes")) {
     if (entry.path().extension() != ".toml") continue;
     ++files;
     const SceneResult result = read_scene_file(entry.path().string());
     EXPECT_EQ(result.faults.text(entry.path().string()), "");
     EXPECT_GE(result.scene.frames, 600) << "ten seconds: " << entry.path();
   }
-  EXPECT_GE(files, 2);
+  EXPECT_GE(files, 10);
 }
 
 TEST(SceneFileTest, EveryKeyIsDocumentedOnceAndRead) {

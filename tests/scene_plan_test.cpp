@@ -82,6 +82,63 @@ TEST(ScenePlanTest, ATallCellMeetsBothStoreysBesideIt) {
   EXPECT_THAT(room_of(scene, "tower").portals[East], testing::SizeIs(2));
 }
 
+// The columns of contract 17.2's narrow scenes: 160 and 352 wide, 256 from centre to centre.
+TEST(ScenePlanTest, WidthsAndDepthsRepeatFromTheSouthWest) {
+  const SceneFile scene =
+      good_scene(plan("...\n@..\n", "widths = [160, 352]\ndepths = [64, 32]\n"));
+  EXPECT_THAT(room_of(scene, "start").centre, ElementsAre(0, -256, 0));
+  EXPECT_THAT(room_of(scene, "start").half_size, ElementsAre(80, 256, 32));
+  EXPECT_THAT(room_of(scene, "1.2.2").centre, ElementsAre(256, -256, 0));
+  EXPECT_THAT(room_of(scene, "1.2.2").half_size, ElementsAre(176, 256, 32));
+  EXPECT_THAT(room_of(scene, "1.1.3").centre, ElementsAre(512, -256, 48));
+  EXPECT_THAT(room_of(scene, "1.1.3").half_size, ElementsAre(80, 256, 16));
+  EXPECT_EQ(count_portals(scene), 7) << "the cells adjoin";
+}
+
+TEST(ScenePlanTest, WidthsLeaveTheDepthOfTheCell) {
+  const SceneFile scene = good_scene(plan("@.\n", "cell = [64, 32]\nwidths = [160]\n"));
+  EXPECT_THAT(room_of(scene, "1.1.2").half_size, ElementsAre(80, 256, 16));
+  EXPECT_THAT(room_of(scene, "1.1.2").centre, ElementsAre(160, -256, 0));
+}
+
+// As the ceiling windows of the narrow scenes: 192 wide over cells of 160.
+TEST(ScenePlanTest, AnOpeningMayBeWiderThanItsCell) {
+  const SceneFile scene = good_scene(plan("@w\n", R"(widths = [160, 352]
+cell = 256
+opening = 192
+[plan.cells]
+"@" = { skylight = true }
+w = { skylight = true }
+)"));
+  EXPECT_THAT(room_of(scene, "start.up").half_size, ElementsAre(96, 16, 96));
+  EXPECT_THAT(room_of(scene, "start").portals[Up], ElementsAre(number_of(scene, "start.up")));
+  EXPECT_THAT(room_of(scene, "start.up").centre, ElementsAre(0, -528, 0));
+}
+
+TEST(ScenePlanTest, PlansOfDifferentSetsStandInOneFile) {
+  const SceneFile scene = good_scene(R"(camera.room = "b.start"
+[[plan]]
+storeys = "@."
+[[plan]]
+set = "b"
+origin = [0, 0, 512]
+storeys = "@hh."
+[plan.cells]
+h = { id = "hall" }
+[[plan]]
+set = "c"
+storeys = "s."
+[plan.cells]
+s = { skylight = true }
+)");
+  const char* const ids[] = {"start",   "1.1.2",   "b.start", "hall.1",    "hall.2",
+                             "b.1.1.4", "c.1.1.1", "c.1.1.2", "c.1.1.1.up"};
+  ASSERT_EQ(scene.rooms.size(), 9U);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(number_of(scene, ids[i]), i);
+  EXPECT_EQ(room_of(scene, "c.1.1.1.up").set, "c");
+  EXPECT_EQ(scene.shots[0].camera.room, 2);
+}
+
 TEST(ScenePlanTest, NeighboursLeadBackAndTouchWhateverIsDrawn) {
   std::mt19937 random(2);
   for (int run = 0; run < 200; ++run) {
@@ -130,7 +187,24 @@ TEST(ScenePlanTest, BadPlansAreRefusedWithTheirPlace) {
   expect("[plan]\nstoreys = '''@.\nx.'''\n", "f:3:1: 'x' is no kind of cell");
   expect(plan("@\n", "cell = 255\n"), "f:5:8: 'cell' is odd");
   expect(plan("@\n", "cell = [2]\n"), "f:5:8: 'cell' has not two numbers");
-  expect(plan("@\n", "opening = 258\n"), "f:5:11: 'opening' is larger than a cell");
+  expect(plan("@\n", "opening = 258\n"), "f:5:11: 'opening' is too large for the cells");
+  expect(plan("@.\n", "widths = [160, 352]\nopening = 258\n"), "f:6:11: 'opening' is too large");
+  expect(plan("@\n", "widths = 160\n"), "f:5:10: 'widths' is no list of numbers");
+  expect(plan("@\n", "depths = []\n"), "f:5:10: 'depths' is no list of numbers");
+  expect(plan("@.\n", "widths = [160, 351]\n"), "f:5:16: 'widths' is odd");
+  expect(plan("@\n", "depths = [\"2\"]\n"), "f:5:11: 'depths' is a string");
+  expect(plan("@\n", "depths = [0]\n"), "f:5:11: 'depths' is 0");
+  expect(plan("@.\n", "widths = [2, 4, 6]\n"), "f:5:10: 'widths' has 3 numbers for 2 columns");
+  expect(plan("@.\n", "depths = [2, 4]\n"), "f:5:10: 'depths' has 2 numbers for 1 rows");
+  expect("plan = []\n", "f:1:1: the scene has no rooms");
+  expect("plan = [3]\n", "f:1:9: 'plan' is a whole number");
+  expect("plan.storeys = \"@" + std::string(8191, '#') + "\"\n",
+         "f:1:16: the plan is 8192 cells long");
+  expect("plan = [{ storeys = \"@\" }, { storeys = \"@\" }]\n",
+         "f:1:28: two plans have the set ''");
+  expect("[[plan]]\nset = \"a\"\nstoreys = \"@\"\n[[plan]]\nset = \"a\"\nstoreys = \"@\"\n",
+         "f:5:7: two plans have the set 'a'");
+  expect("[[plan]]\nset = \"a\"\nstoreys = \"@\"\n", "f:1:1: the camera has no room");
   expect(plan("@\n", "[plan.cells]\nab = {}\n"), "f:6:1: 'ab' cannot be a kind of cell");
   expect(plan("@\n", "[plan.cells]\n\"#\" = {}\n"), "f:6:1: '#' cannot be a kind of cell");
   expect(plan("@\n", "[plan.cells]\na = { hieght = 2 }\n"), "f:6:7: unknown key 'hieght'");

@@ -27,7 +27,7 @@ TEST(SceneTimelineTest, LookIsTakenAsWritten) {
   const Look look = good_scene(R"(plan.storeys = "@"
 [look]
 palette = ["000", "300", "030", "003"]
-pattern_palette = ["111", "222", "333", "123"]
+pattern_palette = [[1, 1, 1], "222", [3, 3, 3], [1, 2, 3]]
 shading = "dithered"
 pattern = "partial"
 inverse = true
@@ -86,6 +86,14 @@ look = { shading = "dithered" }
   EXPECT_TRUE(scene.shots[2].camera.interlace);
   EXPECT_TRUE(scene.shots[2].look.inverse);
   EXPECT_FALSE(scene.shots[1].restart);
+}
+
+TEST(SceneTimelineTest, AShotIsNamedForItselfOnly) {
+  const SceneFile scene = good_scene(
+      "plan.storeys = \"@\"\n[[shot]]\nframe = 9\nname = \"twist\"\n[[shot]]\nframe = 10\n");
+  EXPECT_EQ(scene.shots[0].name, "");
+  EXPECT_EQ(scene.shots[1].name, "twist");
+  EXPECT_EQ(scene.shots[2].name, "");
 }
 
 TEST(SceneTimelineTest, BadShotsAreRefusedWithTheirPlace) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "tb/scene/plan_grid.h"
 #include "tb/scene/plan_rows.h"
 #include "tb/scene/plan_style.h"
 #include "tb/scene/table_reader.h"
@@ -19,13 +21,19 @@ class PlanBuilder {
  public:
   PlanBuilder(std::vector<Room>& rooms, Faults& faults) : rooms_(rooms), faults_(faults) {}
 
-  void read(const TomlNode& node, std::string_view text) {
+  // `sets` are those of the plans before.
+  void read(const TomlNode& node, const std::vector<std::string_view>& file,
+            std::set<std::string>& sets) {
     const TableReader plan(node, "plan", faults_);
     if (node.kind != TomlNode::Table) return;
     style_ = read_style(plan);
+    const bool own_set = set_is_new(plan, sets);
     const TomlNode* storeys = plan.require("storeys", "draw the plan: storeys = \"\"\"...\"\"\"");
-    if (!storeys || !read_rows(*storeys, text, rows_, faults_)) return;
+    if (!storeys || !read_rows(*storeys, file, rows_, faults_)) return;
     if (!letters_are_known() || !count_is_possible(plan)) return;
+    grid_ = lay_out(plan, style_, rows_);
+    if (!own_set) return;
+    style_.opening = std::min(style_.opening, grid_.closest());
     make_cells();
     connect_columns();
     connect_storeys();
@@ -49,6 +57,14 @@ class PlanBuilder {
       }
   }
 
+  bool set_is_new(const TableReader& plan, std::set<std::string>& sets) {
+    if (sets.insert(style_.set).second) return true;
+    const TomlNode* set = plan.find("set");
+    faults_.add(set ? set->place : plan.place(), "two plans have the set " + quoted(style_.set),
+                "give each plan a set of its own: the names of its cells begin with it");
+    return false;
+  }
+
   bool letters_are_known() {
     bool good = true;
     for_each_cell([&](int, int, int, const Letter& letter, Place place) {
@@ -66,16 +82,21 @@ class PlanBuilder {
     if (cells == 0)
       faults_.add(plan.find("storeys")->place, "the plan is empty",
                   "draw at least one open cell: '.' or '@'");
-    if (cells > MaxRooms)
-      faults_.add(plan.find("storeys")->place, "the plan has " + std::to_string(cells) + " rooms",
+    const int longest = std::max(rows_.columns, rows_.rows);
+    const bool fits = cells <= MaxRooms && longest <= MaxRooms;
+    if (!fits)
+      faults_.add(plan.find("storeys")->place,
+                  cells > MaxRooms ? "the plan has " + std::to_string(cells) + " rooms"
+                                   : "the plan is " + std::to_string(longest) + " cells long",
                   "at most " + std::to_string(MaxRooms) + " fit the room number");
-    return cells > 0 && cells <= MaxRooms;
+    return cells > 0 && fits;
   }
 
   std::string cell_id(int s, int r, int c, const Letter& letter) {
     const std::string& name = style_.kinds.at(letter).id;
     if (name.empty())
-      return std::to_string(s + 1) + "." + std::to_string(r + 1) + "." + std::to_string(c + 1);
+      return style_.named(std::to_string(s + 1) + "." + std::to_string(r + 1) + "." +
+                          std::to_string(c + 1));
     return used_.at(letter) == 1 ? name : name + "." + std::to_string(++numbered_[letter]);
   }
 
@@ -89,9 +110,9 @@ class PlanBuilder {
       room.id = cell_id(s, r, c, letter);
       room.set = style_.set;
       room.place = place;
-      room.centre = {style_.origin[0] + c * style_.edge[0], floor - kind.height / 2,
-                     style_.origin[2] + (rows_.rows - 1 - r) * style_.edge[1]};
-      room.half_size = {style_.edge[0] / 2, kind.height / 2, style_.edge[1] / 2};
+      const int row = rows_.rows - 1 - r;  // from the south
+      room.centre = {grid_.middles[0][c], floor - kind.height / 2, grid_.middles[1][row]};
+      room.half_size = {grid_.edges[0][c] / 2, kind.height / 2, grid_.edges[1][row] / 2};
       columns_[r * rows_.columns + c].push_back({static_cast<int>(rooms_.size()), &kind});
       rooms_.push_back(std::move(room));
     });
@@ -164,14 +185,21 @@ class PlanBuilder {
   PlanStyle style_;
   std::map<Letter, int> used_, numbered_;
   PlanRows rows_;
+  PlanGrid grid_;
   std::vector<std::vector<Cell>> columns_;  // row, column: the cells above each other
 };
 
 }  // namespace
 
-void read_plan(const TomlNode& node, std::string_view text, std::vector<Room>& rooms,
-               Faults& faults) {
-  PlanBuilder(rooms, faults).read(node, text);
+void read_plans(const TomlNode& node, std::string_view text, std::vector<Room>& rooms,
+                Faults& faults) {
+  const std::vector<std::string_view> file = split_lines(text);
+  std::set<std::string> sets;
+  if (node.kind != TomlNode::Array) PlanBuilder(rooms, faults).read(node, file, sets);
+  for (const TomlNode& plan : node.items) {
+    if (rooms.size() > MaxRooms) return;  // a fault of its own
+    PlanBuilder(rooms, faults).read(plan, file, sets);
+  }
 }
 
 }  // namespace racebeam

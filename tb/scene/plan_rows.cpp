@@ -8,18 +8,6 @@ namespace racebeam {
 
 namespace {
 
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    lines.push_back(line);
-    at = end + 1;
-  }
-  return lines;
-}
-
 // Where row `index` of the text at `node` stands, if the file shows it as it is.
 Place row_place(const TomlNode& node, int index, std::string_view row,
                 const std::vector<std::string_view>& file) {
@@ -44,7 +32,7 @@ bool read_storey(const TomlNode& node, const std::vector<std::string_view>& file
                "draw it between \"\"\" and \"\"\", a row in each line");
     return false;
   }
-  const std::vector<std::string_view> lines = split(node.text);
+  const std::vector<std::string_view> lines = split_lines(node.text);
   std::vector<PlanRow> rows;
   bool good = true;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -68,6 +56,18 @@ bool read_storey(const TomlNode& node, const std::vector<std::string_view>& file
 
 }  // namespace
 
+std::vector<std::string_view> split_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    lines.push_back(line);
+    at = end + 1;
+  }
+  return lines;
+}
+
 std::vector<Letter> letters(std::string_view text) {
   std::vector<Letter> all;
   for (const char c : text) {
@@ -78,8 +78,8 @@ std::vector<Letter> letters(std::string_view text) {
   return all;
 }
 
-bool read_rows(const TomlNode& storeys, std::string_view text, PlanRows& to, Faults& faults) {
-  const std::vector<std::string_view> file = split(text);
+bool read_rows(const TomlNode& storeys, const std::vector<std::string_view>& file, PlanRows& to,
+               Faults& faults) {
   bool good = true;
   if (storeys.kind == TomlNode::Array) {
     for (const TomlNode& storey : storeys.items)

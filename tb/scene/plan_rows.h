@@ -15,6 +15,8 @@ namespace racebeam {
 /// A character of a plan: a Unicode code point as UTF-8.
 using Letter = std::string;
 
+/// The lines of a text, without their ends.
+std::vector<std::string_view> split_lines(std::string_view text);
 /// The code points of a text.
 std::vector<Letter> letters(std::string_view text);
 
@@ -28,7 +30,9 @@ struct PlanRows {
   int rows = 0, columns = 0;                  ///< of each storey
 };
 
-/// Reads plan.storeys. False, and faults, if it is no rectangle.
-bool read_rows(const TomlNode& storeys, std::string_view text, PlanRows& to, Faults& faults);
+/// Reads plan.storeys. False, and faults, if it is no rectangle. Rows are looked up in the lines of
+/// the file for their places.
+bool read_rows(const TomlNode& storeys, const std::vector<std::string_view>& file, PlanRows& to,
+               Faults& faults);
 
 }  // namespace racebeam

@@ -4,8 +4,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tb/scene/plan_rows.h"
 #include "tb/scene/table_reader.h"
@@ -22,13 +24,17 @@ struct CellKind {
 };
 
 struct PlanStyle {
-  int edge[2] = {256, 256};          ///< of a cell: x, z; even
+  /// Of columns from the west, of rows from the south; even. They repeat.
+  std::array<std::vector<int>, 2> edges{{{256}, {256}}};
   int height = 512;                  ///< of a cell, even
   int slab = 32;                     ///< between storeys, even
   int opening = 192;                 ///< edge of skylights and floor holes, even
   Vector origin{};                   ///< floor of the lowest south-west cell, in its middle
   std::string set;                   ///< of all its rooms
   std::map<Letter, CellKind> kinds;  ///< '.', '@' and those of plan.cells
+
+  /// `name` as rooms of this plan are called: after the set, if that has a name.
+  std::string named(const std::string& name) const { return set.empty() ? name : set + "." + name; }
 };
 
 /// Reads all keys of a [plan] but 'storeys'. Faults leave the standard values.

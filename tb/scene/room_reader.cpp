@@ -84,7 +84,7 @@ std::map<std::string, int> room_numbers(const std::vector<Room>& rooms, Faults& 
 std::string room_help(const std::string& id, const std::map<std::string, int>& numbers,
                       const Faults& faults) {
   if (faults.count() > NamesHelped)
-    return "check the name; ids of plan cells are storey.row.column";
+    return "check the name; ids of plan cells are storey.row.column, after the set if any";
   std::vector<std::string> known;
   for (const auto& [name, number] : numbers) known.push_back(name);
   return name_help(id, known);

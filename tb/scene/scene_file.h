@@ -20,9 +20,9 @@ constexpr int VisibleRooms = 8;    ///< portals that a ray passes at most
 constexpr int MaxRooms = 8191;     ///< 13 bits; the id with all bits set means solid
 constexpr int MaxCornerBits = 16;
 constexpr int MinCornerBits = 10;
-constexpr int MaxFrames = 100000;
-constexpr int TurnUnits = 2048;  ///< angle units in a full turn
-constexpr int FocalUnits = 256;  ///< the focal length counts modulo this
+constexpr int MaxFrames = 16383;  ///< the frame counter has 14 bits; its last value ends a loop
+constexpr int TurnUnits = 2048;   ///< angle units in a full turn
+constexpr int FocalUnits = 256;   ///< the focal length counts modulo this
 
 using Vector = std::array<int, 3>;  ///< x, y, z
 
@@ -92,6 +92,7 @@ struct Look {
 /// Everything that holds from `frame` on, until the next shot.
 struct Shot {
   int frame = 0;
+  std::string name;     ///< as the author calls it, or empty
   bool restart = true;  ///< the camera jumps to camera.room, camera.position
   Camera camera{};
   Look look{};

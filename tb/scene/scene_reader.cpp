@@ -24,15 +24,16 @@ constexpr std::uintmax_t LargestFile = 16 << 20;
 void read_top(const TomlNode& root, SceneFile& scene, Faults& faults) {
   const TableReader top(root, "", faults);
   top.read("name", scene.name);
-  top.read("frames", 1, MaxFrames, scene.frames);
+  top.read("frames", 1, MaxFrames, scene.frames, FrameBitsHelp);
   top.read("corner_bits", MinCornerBits, MaxCornerBits, scene.corner_bits);
   top.read("wrap", scene.wrap);
   top.read("overlap", scene.overlap);
 }
 
-void check_count(const SceneFile& scene, const TomlNode& root, Faults& faults) {
+// `faults_before` were there before the rooms were read.
+void check_count(const SceneFile& scene, int faults_before, Faults& faults) {
   const int count = static_cast<int>(scene.rooms.size());
-  if (count == 0 && !root.find("plan") && !root.find("room"))
+  if (count == 0 && faults.count() == faults_before)
     faults.add({1, 1}, "the scene has no rooms",
                "draw a [plan] or write [[room]]; `racebeam scene new` makes a file to start from");
   if (count > MaxRooms)
@@ -56,10 +57,11 @@ SceneResult read_scene(std::string_view text, const std::string& name) {
   const std::optional<TomlNode> root = parse_toml(text, faults);
   if (!root) return result;
   read_top(*root, scene, faults);
-  if (const TomlNode* plan = root->find("plan")) read_plan(*plan, text, scene.rooms, faults);
+  const int faults_before = faults.count();
+  if (const TomlNode* plan = root->find("plan")) read_plans(*plan, text, scene.rooms, faults);
   std::vector<NamedPortal> portals;
   if (const TomlNode* rooms = root->find("room")) read_rooms(*rooms, scene.rooms, portals, faults);
-  check_count(scene, *root, faults);
+  check_count(scene, faults_before, faults);
   const std::map<std::string, int> numbers = room_numbers(scene.rooms, faults);
   connect_named(portals, numbers, scene.overlap, scene.rooms, faults);
   if (scene.rooms.size() <= MaxRooms) check_rooms(scene, faults);

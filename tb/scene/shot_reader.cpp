@@ -65,7 +65,8 @@ class ShotReader {
     if (at != numbers_.end()) shot.camera.room = at->second;
     else
       faults_.add(shot.place, "the camera has no room",
-                  "mark a cell of the plan with '@', or write [camera] room = \"ID\"");
+                  "mark a cell of the plan with '@', or write [camera] room = \"ID\"; "
+                  "that of a plan with a set is \"SET.start\"");
   }
 
   void read_camera(const TomlNode& node, Shot& shot) {
@@ -133,9 +134,11 @@ class ShotReader {
     Shot shot = scene_.shots.back();
     shot.restart = false;
     shot.place = node.place;
+    shot.name.clear();
+    table.read("name", shot.name);
     const TomlNode* frame =
         table.require("frame", "say from when on: frame = 600; 60 frames are a second");
-    if (!frame || !table.read("frame", 1, MaxFrames - 1, shot.frame)) return;
+    if (!frame || !table.read("frame", 1, MaxFrames - 1, shot.frame, FrameBitsHelp)) return;
     if (shot.frame <= scene_.shots.back().frame) {
       faults_.add(frame->place, "the shot is not after the one before it",
                   "order the shots by frame; frame 0 is [camera] and [look]");

@@ -3,6 +3,7 @@
 #include "tb/scene/table_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tb/nearest.h"
@@ -19,16 +20,28 @@ void wrong_type(const TomlNode& node, const std::string& name, const std::string
   faults.add(node.place, "'" + name + "' is " + node.kind_name(), "it must be " + wanted);
 }
 
-bool read_colour(const TomlNode& node, const std::string& name, std::uint8_t& to, Faults& faults) {
-  const bool good = node.kind == TomlNode::String && node.text.size() == 3 &&
-                    node.text.find_first_not_of("0123") == std::string::npos;
-  if (!good) {
-    faults.add(node.place, "a colour of '" + name + "' is not three digits 0..3",
-               "write red, green and blue as a text: \"300\" is red, \"333\" white");
+// Red, green and blue of "RGB" or [r, g, b]; false if there are not three of 0..3.
+bool take_colour(const TomlNode& node, std::array<std::int64_t, 3>& parts) {
+  if (node.kind == TomlNode::String && node.text.size() == parts.size()) {
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = node.text[i] - '0';
+  } else if (node.kind == TomlNode::Array && node.items.size() == parts.size()) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      parts[i] = node.items[i].kind == TomlNode::Integer ? node.items[i].integer : -1;
+  } else {
     return false;
   }
-  to = static_cast<std::uint8_t>((node.text[0] - '0') * 16 + (node.text[1] - '0') * 4 +
-                                 (node.text[2] - '0'));
+  return std::all_of(parts.begin(), parts.end(),
+                     [](std::int64_t part) { return part >= 0 && part <= 3; });
+}
+
+bool read_colour(const TomlNode& node, const std::string& name, std::uint8_t& to, Faults& faults) {
+  std::array<std::int64_t, 3> parts;
+  if (!take_colour(node, parts)) {
+    faults.add(node.place, "a colour of '" + name + "' is not three digits 0..3",
+               "write red, green and blue: \"300\" or [3, 0, 0] is red, \"333\" white");
+    return false;
+  }
+  to = static_cast<std::uint8_t>(parts[0] * 16 + parts[1] * 4 + parts[2]);
   return true;
 }
 
@@ -46,8 +59,9 @@ std::string name_help(const std::string& name, const std::vector<std::string>& k
 }
 
 bool read_number(const TomlNode& node, const std::string& name, int low, int high, int& to,
-                 Faults& faults) {
-  const std::string range = std::to_string(low) + ".." + std::to_string(high);
+                 Faults& faults, const std::string& why) {
+  const std::string range =
+      std::to_string(low) + ".." + std::to_string(high) + (why.empty() ? "" : ": " + why);
   if (node.kind == TomlNode::Float && !std::isfinite(node.number)) {
     faults.add(node.place, "'" + name + "' is not a finite number",
                "it must be a whole number " + range);
@@ -103,9 +117,10 @@ const TomlNode* TableReader::require(const std::string& key, const std::string& 
   return node;
 }
 
-bool TableReader::read(const std::string& key, int low, int high, int& to) const {
+bool TableReader::read(const std::string& key, int low, int high, int& to,
+                       const std::string& why) const {
   const TomlNode* node = find(key);
-  return node && read_number(*node, key, low, high, to, faults_);
+  return node && read_number(*node, key, low, high, to, faults_, why);
 }
 
 bool TableReader::read(const std::string& key, bool& to) const {

@@ -24,7 +24,8 @@ class TableReader {
   /// The same; a fault if it is missing.
   const TomlNode* require(const std::string& key, const std::string& help) const;
 
-  bool read(const std::string& key, int low, int high, int& to) const;
+  /// `why` follows the range in the help.
+  bool read(const std::string& key, int low, int high, int& to, const std::string& why = "") const;
   bool read(const std::string& key, bool& to) const;
   /// Not empty unless `may_be_empty`; at most 64 printable characters.
   bool read(const std::string& key, std::string& to, bool may_be_empty = false) const;
@@ -32,7 +33,7 @@ class TableReader {
   bool read(const std::string& key, int low, int high, Vector& to) const;
   /// The index of a word in `words`.
   bool read_choice(const std::string& key, const std::vector<std::string>& words, int& to) const;
-  /// Four colours as texts of three digits 0..3.
+  /// Four colours of three parts 0..3, as texts or as lists.
   bool read(const std::string& key, Palette& to) const;
 
   Place place() const { return node_.place; }
@@ -44,9 +45,10 @@ class TableReader {
   Faults& faults_;
 };
 
-/// Whole number within a range, or a fault. `name` is what the message calls it.
+/// Whole number within a range, or a fault. `name` is what the message calls it; `why` follows the
+/// range in the help.
 bool read_number(const TomlNode& node, const std::string& name, int low, int high, int& to,
-                 Faults& faults);
+                 Faults& faults, const std::string& why = "");
 /// A short text, or a fault.
 bool read_text(const TomlNode& node, const std::string& name, std::string& to, Faults& faults);
 /// "did you mean 'x'?" or the names that there are.
