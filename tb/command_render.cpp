@@ -7,7 +7,6 @@
 #include <string>
 
 #include "tb/console.h"
-#include "tb/demo_parts.h"
 #include "tb/errors.h"
 #include "tb/golden/golden_compare.h"
 #include "tb/interrupt.h"
@@ -31,11 +30,12 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
     bench.seek(plan.frame(i));
     const SignalBench::Frame frame = bench.render();
-    const std::string part = demo_part(frame.number).name();
+    const std::string part = plan.show.part(frame.number);
     files.add(frame.number, part, frame.picture);
     std::optional<GoldenCounts> golden;
     if (plan.compare) {
-      const GoldenReport found = golden_compare(frame.number, plan.k, frame.picture.colours);
+      const GoldenReport found =
+          golden_compare(plan.show, frame.number, plan.k, frame.picture.colours);
       golden = found.counts;
       files.add_difference(frame.number, found.difference);
     }
@@ -54,8 +54,8 @@ int command_render(const RenderOptions& options) {
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
   RenderFiles files(plan);
-  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty()});
-  StatsReport report(plan.scene, plan.level, plan.k);
+  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program()});
+  StatsReport report(plan.show.name(), plan.level, plan.k);
   std::exception_ptr failure;
   try {
     render_frames(plan, bench, files, report);

@@ -4,19 +4,17 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/image_files.h"
+#include "tb/open_show.h"
 #include "tb/output_file.h"
 #include "tb/scene/line_estimate.h"
 #include "tb/scene/plan_picture.h"
 #include "tb/scene/scene_check.h"
-#include "tb/scene/scene_reader.h"
 #include "tb/scene/scene_sight.h"
 #include "tb/scene/starter_scene.h"
 
@@ -25,16 +23,6 @@ namespace racebeam {
 namespace {
 
 constexpr int FramesPerSecond = 60;
-
-// Nothing, after all faults are on stderr, if there are any.
-std::optional<SceneFile> load(const std::string& file) {
-  SceneResult result = read_scene_file(file);
-  if (result.faults.none()) return std::move(result.scene);
-  std::fputs(result.faults.text(file).c_str(), stderr);
-  tell(fmt::format("{} fault{} in {}", result.faults.count(), result.faults.count() == 1 ? "" : "s",
-                   file));
-  return std::nullopt;
-}
 
 nlohmann::ordered_json timeline(const SceneFile& scene) {
   nlohmann::ordered_json shots = nlohmann::ordered_json::array();
@@ -102,16 +90,14 @@ std::string table(const nlohmann::ordered_json& scene) {
 }  // namespace
 
 int command_scene_check(const SceneOptions& options) {
-  const auto scene = load(options.file);
-  if (!scene) return ExitUsage;
-  print(fmt::format("good: {} rooms, {} portals\n", scene->rooms.size(), count_portals(*scene)));
+  const SceneFile scene = load_scene(options.file);
+  print(fmt::format("good: {} rooms, {} portals\n", scene.rooms.size(), count_portals(scene)));
   return ExitGood;
 }
 
 int command_scene_show(const SceneOptions& options) {
-  const auto scene = load(options.file);
-  if (!scene) return ExitUsage;
-  const nlohmann::ordered_json json = summary(*scene);
+  const SceneFile scene = load_scene(options.file);
+  const nlohmann::ordered_json json = summary(scene);
   using Json = nlohmann::ordered_json;
   print(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                      : table(json));
@@ -119,9 +105,8 @@ int command_scene_show(const SceneOptions& options) {
 }
 
 int command_scene_plan(const SceneOptions& options) {
-  const auto scene = load(options.file);
-  if (!scene) return ExitUsage;
-  const Canvas canvas = draw_plan(*scene);
+  const SceneFile scene = load_scene(options.file);
+  const Canvas canvas = draw_plan(scene);
   write_png(options.picture, canvas.colours(), canvas.width(), canvas.height());
   tell(fmt::format("wrote {}, {} x {} pixels: from above, north up; below it from the south",
                    options.picture, canvas.width(), canvas.height()));

@@ -14,7 +14,7 @@ struct SceneOptions {
   bool json = false;    ///< of `scene show`
 };
 
-/// All faults on stderr (exit code 2), or "good: N rooms, M portals".
+/// "good: N rooms, M portals". This and the next two throw UsageError if the scene has faults.
 int command_scene_check(const SceneOptions& options);
 /// Counts, widths and an estimate of the worst line.
 int command_scene_show(const SceneOptions& options);

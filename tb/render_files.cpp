@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* BuiltIn = "built-in";  // scene hash of the chip's own demo
 constexpr const char* StatsName = "stats.json";
 constexpr const char* ManifestName = "manifest.json";
 constexpr double FramesPerSecond = 60;
@@ -112,8 +111,8 @@ void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
 
 std::string RenderFiles::manifest() const {
   Manifest manifest;
-  manifest.scene = plan_.scene;
-  manifest.scene_hash = BuiltIn;
+  manifest.scene = plan_.show.name();
+  manifest.scene_hash = plan_.show.hash();
   manifest.level = plan_.level;
   manifest.k = plan_.k;
   manifest.command = plan_.command;

@@ -21,7 +21,8 @@ constexpr const char* Row = "{:>5}  {:<32}{}\n";
 
 VgaFrame render_frame(const RenderPlan& plan, int frame) {
   VgaFrame picture;
-  picture.colours = golden_picture(*plan.tracer, GoldenWorld(frame, plan.k), GoldenCamera(frame));
+  picture.colours = golden_picture(*plan.tracer, plan.show.golden_world(frame, plan.k),
+                                   plan.show.golden_camera(frame));
   if (plan.crc)
     picture.image_crc = static_cast<std::uint32_t>(
         crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));
@@ -36,14 +37,15 @@ std::string crc_column(const RenderPlan& plan, const VgaFrame& picture) {
 
 int render_golden(const RenderPlan& plan) {
   RenderFiles files(plan);
-  GoldenFrames report(plan.scene, golden_tracer_names()[static_cast<int>(*plan.tracer)], plan.k);
+  GoldenFrames report(plan.show.name(), golden_tracer_names()[static_cast<int>(*plan.tracer)],
+                      plan.k);
   Progress progress(plan.frames);
   progress.draw(0, 0);
   if (!plan.json) print(fmt::format(Row, "frame", "part", plan.crc ? " image" : ""));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
     const int frame = plan.frame(i);
     const VgaFrame picture = render_frame(plan, frame);
-    const std::string part = demo_part(frame).name();
+    const std::string part = plan.show.part(frame);
     files.add(frame, part, picture);
     report.add(frame, part, picture, plan.crc);
     progress.clear();

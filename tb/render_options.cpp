@@ -10,8 +10,8 @@
 #include <set>
 #include <system_error>
 
-#include "sc/constants.h"
 #include "tb/nearest.h"
+#include "tb/open_show.h"
 #include "tb/set_knob.h"
 
 namespace racebeam {
@@ -106,20 +106,21 @@ void check_distinct(const RenderPlan& plan) {
 }  // namespace
 
 int RenderPlan::frame(int index) const {
-  return static_cast<int>((first + static_cast<long long>(index) * every) % DemoFrames);
+  return static_cast<int>((first + static_cast<long long>(index) * every) % show.frames());
 }
 
 RenderPlan plan_render(const RenderOptions& options) {
-  check_known("scene", options.scene, {"demo"});
   check_known("level", options.level, {"signal"});
+  const Show show = open_show(options.scene);
+  const int last = show.frames() - 1;
   RenderPlan plan{
-      options.scene,
+      show,
       options.level,
-      checked("--frames", options.frames, 1, DemoFrames, "frames to render"),
-      checked("--first", options.first, 0, DemoFrames - 1, "the demo has the frames"),
-      checked("--every", options.every, 1, DemoFrames - 1, "frames from one to the next"),
+      checked("--frames", options.frames, 1, show.frames(), "frames to render"),
+      checked("--first", options.first, 0, last, "the scene has the frames"),
+      checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
       checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
-      {},
+      show.standard_knobs(),
       options.folder,
       options.gif,
       options.wav,
@@ -132,6 +133,7 @@ RenderPlan plan_render(const RenderOptions& options) {
       options.command};
   if (plan.tracer) plan.level = "golden " + options.golden;
   for (const std::string& assignment : options.assignments) set_knob(plan.k, assignment);
+  if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
   check_outputs(plan);
   check_distinct(plan);
   if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty())

@@ -10,6 +10,7 @@
 
 #include "sc/knobs.h"
 #include "tb/golden/golden_picture.h"
+#include "tb/show.h"
 
 namespace racebeam {
 
@@ -26,7 +27,8 @@ struct RenderOptions {
 
 /// The same, checked: every number is in its range.
 struct RenderPlan {
-  std::string scene, level;
+  Show show;
+  std::string level;
   int frames, first, every, gif_scale;
   knobs k;
   std::string folder, gif, wav, sheet, stats;
@@ -35,7 +37,7 @@ struct RenderPlan {
   bool crc, json;
   std::vector<std::string> command;
 
-  /// Number of the `index`-th frame; the demo loops.
+  /// Number of the `index`-th frame; the show loops.
   int frame(int index) const;
 };
 

@@ -66,7 +66,7 @@ struct SignalBench::Platform {
         period(clock_period(o.k)),
         raster(o.k.clocks_per_pixel, o.k.speed),
         clk("clk", period, 0.5, period),
-        dut("chip", o.k),
+        dut("chip", o.k, o.program),
         vga(raster, [this](const VgaFrame& f) { picture = f; }, {o.crc, o.crc}),
         sound(o.sound ? new SoundMonitor : nullptr),
         pins("pins", period, period, &vga, sound.get()),
@@ -106,7 +106,7 @@ SignalBench::Frame SignalBench::render() {
   p.pins.advance();
   Frame frame{p.next_frame, p.picture, {}};
   if (p.stats) frame.stats = p.stats->take();
-  p.next_frame = (p.next_frame + 1) % DemoFrames;
+  p.next_frame = (p.next_frame + 1) % (p.options.program ? p.options.program->frames : DemoFrames);
   return frame;
 }
 

@@ -8,14 +8,15 @@
 #include <memory>
 #include <optional>
 
-#include "sc/knobs.h"
+#include "sc/scene_program.h"
 #include "tb/frame_stats.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
 
 namespace racebeam {
 
-/// One simulation of the demo, frame by frame. SystemC elaborates once: one bench per process.
+/// One simulation of the demo or a program, frame by frame. SystemC elaborates once: one bench per
+/// process.
 class SignalBench {
  public:
   struct Options {
@@ -23,6 +24,8 @@ class SignalBench {
     bool stats = false;  ///< collect FrameStats
     bool crc = false;    ///< compute the CRCs of VgaFrame
     bool sound = false;  ///< listen to the PWM pin
+    /// Instead of the built-in demo; must outlive the bench and fit the knobs.
+    const scene_program* program = nullptr;
   };
   struct Frame {
     int number;  ///< value of the frame counter while its lines are shown
@@ -33,7 +36,7 @@ class SignalBench {
   explicit SignalBench(const Options& options);
   ~SignalBench();
 
-  /// The next frame to render, 0..12798; 0 after construction. Nothing between is simulated: only
+  /// The next frame to render; 0 after construction. Nothing between is simulated: only
   /// the frame counter and the navigator carry state from frame to frame.
   void seek(int frame);
   /// Simulates one frame; the next is the following one. Throws SyncError.

@@ -14,9 +14,9 @@
 
 namespace racebeam {
 
-constexpr int SightDepth = VisibleRooms + 1;                // portals
-constexpr int CameraColumn = navigator_core::wired_room_i;  // i of the camera's rooms
-constexpr int InsideGate = 0, OutsideGate = 64;             // values of dr2_y: contract 17.4
+constexpr int SightDepth = VisibleRooms + 1;     // portals
+constexpr int CameraColumn = 4;                  // i of the camera's rooms
+constexpr int InsideGate = 0, OutsideGate = 64;  // values of dr2_y: contract 17.4
 
 inline const SceneFile& demo() {
   static const SceneFile scene = [] {
@@ -133,9 +133,9 @@ inline const Palette Palettes[] = {{0, 1, 6, 43}, {2, 6, 26, 30}, {17, 37, 57, 6
 inline void expect_turns(const SceneFile& scene, const sequencer_core& sequencer, int frame) {
   const Camera& camera = scene.shot_at(frame).camera;
   for (const int y : {-240, -1, 0, 100, 239}) {
-    ASSERT_EQ(camera.yaw.value(frame, y, TurnUnits), 2 * sequencer.angle(AngleYaw, y))
+    ASSERT_EQ(camera.yaw.value(frame, y, TurnUnits), sequencer.angle(AngleYaw, y))
         << "frame " << frame << ", y " << y;
-    ASSERT_EQ(camera.pitch.value(frame, y, TurnUnits), 2 * sequencer.angle(AnglePitch, y))
+    ASSERT_EQ(camera.pitch.value(frame, y, TurnUnits), sequencer.angle(AnglePitch, y))
         << "frame " << frame << ", y " << y;
     ASSERT_EQ(camera.fov.value(frame, y, FocalUnits), sequencer.angle(AngleFov, y))
         << "frame " << frame << ", y " << y;

@@ -61,13 +61,13 @@ TEST_P(GeometryFile, FliesForAWholePart) {
     return scene_core::geometry(flags, ring << 4 | CameraColumn);
   };
   for (int frame = 0, j = 0; frame < scene.frames; ++frame) {
-    const int flown = -chip.velocity_z * std::max(0, frame - 1);
+    const int flown = -chip.velocity[2] * std::max(0, frame - 1);
     if (256 * j - flown < -room_at(j).half_size[2]) ++j;
     const vec3 moved = minus(room_at(j).position, room_at(0).position);
     const PathPoint& point = path.points[frame];
     ASSERT_EQ(point.room, rooms.at(j % 16 << 4 | CameraColumn)) << "frame " << frame;
     ASSERT_EQ(point.position[0], -moved[0]) << "frame " << frame;
-    ASSERT_EQ(point.position[1], -(chip.start_y + moved[1])) << "frame " << frame;
+    ASSERT_EQ(point.position[1], -(chip.start[1] + moved[1])) << "frame " << frame;
     ASSERT_EQ(point.position[2], flown - 256 * j) << "frame " << frame;
   }
 }

@@ -20,9 +20,9 @@ TEST(DemoScene, CameraFliesAsTheChips) {
   const CameraPath path = fly(demo());
   ASSERT_EQ(path.points.size(), static_cast<std::size_t>(DemoFrames));
   for (int frame = 0; frame < DemoFrames; ++frame) {
-    const navigator_core chip = fly_to(frame);
+    const navigator_core chip = fly_to(frame, {});
     const int flags = choices(frame, 0).scene_flags;
-    const auto room = demo_rooms().at(flags).find(chip.room());
+    const auto room = demo_rooms().at(flags).find(chip.room_q);
     ASSERT_NE(room, demo_rooms().at(flags).end()) << frame;
     const PathPoint& point = path.points[frame];
     ASSERT_EQ(point.room, room->second) << "frame " << frame;

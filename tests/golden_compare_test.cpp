@@ -23,7 +23,7 @@ int pixels(const GoldenCounts& counts, const std::string& cause) {
 }
 
 GoldenReport compare(int frame, const knobs& k = {}) {
-  return golden_compare(frame, k, core_picture(frame, k));
+  return golden_compare({}, frame, k, core_picture(frame, k));
 }
 
 TEST(GoldenCompare, LimitsAddUpToTheDifferenceFromTrace4) {
@@ -60,7 +60,7 @@ TEST(GoldenCompare, APixelThatNoLimitExplainsIsUnexplained) {
   for (const int frame : {5119, 1023}) {  // without and with interlace
     GoldenPicture broken = core_picture(frame, {});
     for (int i = 1000; i < 1100; ++i) broken[i] ^= 1;
-    EXPECT_EQ(pixels(golden_compare(frame, {}, broken).counts, "unexplained"), 100) << frame;
+    EXPECT_EQ(pixels(golden_compare({}, frame, {}, broken).counts, "unexplained"), 100) << frame;
   }
 }
 

@@ -8,8 +8,8 @@
 
 namespace racebeam {
 
-GoldenPicture core_picture(int frame, const knobs& k) {
-  chip_core chip;
+GoldenPicture core_picture(int frame, const knobs& k, const scene_program* program) {
+  chip_core chip(program);
   chip.clock(false, k);
   chip.deposit(frame, k);
 

@@ -59,10 +59,10 @@ GoldenPicture unlimited_corners(GoldenWorld world, const GoldenCamera& camera) {
 }
 
 /// Pixels by which the chip is not trace_4 once limits and interlace are off.
-int unlimited_difference(int frame, knobs k, const GoldenCamera& camera) {
+int unlimited_difference(const Show& show, int frame, knobs k, const GoldenCamera& camera) {
   k.interlace = 0;
-  return golden_difference(core_picture(frame, k),
-                           golden_picture(Tracer::Trace4, GoldenWorld(frame, k), camera));
+  return golden_difference(core_picture(frame, k, show.program()),
+                           golden_picture(Tracer::Trace4, show.golden_world(frame, k), camera));
 }
 
 /// For each link of a chain of pictures: the pixels that differ between its ends and change in this
@@ -103,9 +103,10 @@ GoldenCounts& GoldenCounts::operator+=(const GoldenCounts& more) {
   return *this;
 }
 
-GoldenReport golden_compare(int frame, const knobs& k, const GoldenPicture& chip) {
-  const GoldenWorld world(frame, k);
-  const GoldenCamera camera(frame);
+GoldenReport golden_compare(const Show& show, int frame, const knobs& k,
+                            const GoldenPicture& chip) {
+  const GoldenWorld world = show.golden_world(frame, k);
+  const GoldenCamera camera = show.golden_camera(frame);
   std::array<GoldenPicture, 3> by_tracer;
   for (const Tracer tracer : {Tracer::Trace2, Tracer::Trace4, Tracer::Geometry})
     by_tracer[static_cast<int>(tracer)] = golden_picture(tracer, world, camera);
@@ -113,13 +114,14 @@ GoldenReport golden_compare(int frame, const knobs& k, const GoldenPicture& chip
 
   GoldenReport report;
   for (int i = 0; i < 3; ++i) report.counts.by_tracer[i] = golden_difference(chip, by_tracer[i]);
-  std::vector<GoldenPicture> chain = {core_picture(frame, k)};
+  std::vector<GoldenPicture> chain = {core_picture(frame, k, show.program())};
   const int foreign = golden_difference(chip, chain.back());
   knobs lifted = k;
   for (const Limit& limit : Limits) {
     const knobs limited = lifted;
     limit.lift(lifted);
-    chain.push_back(same(limited, lifted) ? chain.back() : core_picture(frame, lifted));
+    chain.push_back(same(limited, lifted) ? chain.back()
+                                          : core_picture(frame, lifted, show.program()));
   }
   const int left = golden_difference(chain.back(), trace_4);
   chain.push_back(world.interlace ? trace_4 : chain.back());
@@ -129,7 +131,7 @@ GoldenReport golden_compare(int frame, const knobs& k, const GoldenPicture& chip
   for (const int pixels :
        {golden_difference(trace_4, trace_2), golden_difference(trace_2, far),
         golden_difference(far, geometry),
-        foreign + (world.interlace ? unlimited_difference(frame, lifted, camera) : left)})
+        foreign + (world.interlace ? unlimited_difference(show, frame, lifted, camera) : left)})
     report.counts.by_cause.push_back(pixels);
   report.difference = golden_difference_picture(chip, by_tracer);
   return report;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tb/golden/golden_picture.h"
+#include "tb/show.h"
 
 namespace racebeam {
 
@@ -42,8 +43,8 @@ struct GoldenReport {
   GoldenPicture difference;  ///< see golden_difference_picture()
 };
 
-/// Judges `chip`, the picture of a frame of the demo rendered with `k`.
-GoldenReport golden_compare(int frame, const knobs& k, const GoldenPicture& chip);
+/// Judges `chip`, the picture of a frame of a show rendered with `k`.
+GoldenReport golden_compare(const Show& show, int frame, const knobs& k, const GoldenPicture& chip);
 
 /// The chip's picture dimmed. Bright are the pixels that differ: yellow from trace_4, else cyan
 /// from trace_2, else magenta from geometry.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "tb/scene/plan_reader.h"
 #include "tb/scene/room_reader.h"
@@ -90,7 +91,9 @@ SceneResult read_scene_file(const std::string& path) {
   if (in.bad()) return unreadable("cannot be read", "is the disk in order?");
   if (text.size() > LargestFile)
     return unreadable("the file is larger than 16 MB", "is it a scene?");
-  return read_scene(text, file.stem().string());
+  SceneResult result = read_scene(text, file.stem().string());
+  result.text = std::move(text);
+  return result;
 }
 
 }  // namespace racebeam

@@ -15,6 +15,7 @@ namespace racebeam {
 struct SceneResult {
   SceneFile scene;  ///< usable only without faults
   Faults faults;
+  std::string text{};  ///< of a file that could be read
 };
 
 /// Reads and checks a scene from its text. `name` is the scene's name if the text gives none.

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/open_show.h"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "tb/nearest.h"
+#include "tb/scene/scene_reader.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* BuiltIn = "demo";
+constexpr const char* Extension = ".toml";
+
+SceneResult load(const std::string& file) {
+  SceneResult result = read_scene_file(file);
+  if (result.faults.none()) return result;
+  std::fputs(result.faults.text(file).c_str(), stderr);
+  throw UsageError(fmt::format("{} fault{} in {}", result.faults.count(),
+                               result.faults.count() == 1 ? "" : "s", file));
+}
+
+// Names that were perhaps meant: the built-in demo, and the scene files beside `file`.
+std::vector<std::string> known_scenes(const fs::path& file) {
+  std::vector<std::string> known = {BuiltIn};
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == Extension)
+      known.push_back((file.parent_path() / entry.path().filename()).string());
+  return known;
+}
+
+}  // namespace
+
+SceneFile load_scene(const std::string& file) { return load(file).scene; }
+
+Show open_show(const std::string& scene) {
+  if (scene == BuiltIn) return {};
+  std::error_code error;
+  if (!fs::exists(scene, error)) throw unknown_name("scene", scene, known_scenes(scene));
+  SceneResult result = load(scene);
+  return {std::move(result.scene),
+          fmt::format("xxh64 {:016x}", XXH64(result.text.data(), result.text.size(), 0))};
+}
+
+}  // namespace racebeam
