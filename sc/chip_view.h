@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tuple>
+
 namespace racebeam {
 
 struct chip_view {
@@ -12,6 +14,15 @@ struct chip_view {
   int state, idx2, i2, tag, sd;
   bool second, wall, emit, ack, line_done, restart, starving, descend, push;
   int fill;
+
+  bool operator==(const chip_view& other) const {
+    const auto all = [](const chip_view& v) {
+      return std::tie(v.y, v.frame, v.line_end, v.consume, v.run, v.state, v.idx2, v.i2, v.tag,
+                      v.sd, v.second, v.wall, v.emit, v.ack, v.line_done, v.restart, v.starving,
+                      v.descend, v.push, v.fill);
+    };
+    return all(*this) == all(other);
+  }
 };
 
 }  // namespace racebeam
