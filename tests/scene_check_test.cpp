@@ -7,6 +7,7 @@
 #include <chrono>
 #include <random>
 
+#include "tb/scene/camera_path.h"
 #include "tb/scene/line_estimate.h"
 #include "tb/scene/scene_sight.h"
 #include "tests/scene_text.h"
@@ -78,6 +79,34 @@ TEST(SceneCheckTest, RoomsThatNoWidthHoldsAreRefused) {
   const std::string text = "plan.cell = 8192\nplan.opening = 2\nplan.storeys = \"@........\"\n";
   EXPECT_THAT(faults_of(text), HasSubstr("16 corner bits reach to 32767"));
   good_scene("wrap = true\n" + text);
+}
+
+// The navigator adds half a room to the camera's place, a step behind the face.
+TEST(SceneCheckTest, CornerBitsCoverTheCameraBehindTheFaceOfALargeRoom) {
+  const std::string flight = R"(frames = 600
+[camera]
+room = "a"
+position = [1000, 0, 0]
+velocity = [9, 0, 0]
+[[room]]
+id = "a"
+centre = [0, 0, 0]
+half_size = [1022, 9, 9]
+portals = { east = "b" }
+[[room]]
+id = "b"
+centre = [1052, 0, 0]
+half_size = [30, 9, 9]
+[[shot]]
+frame = 4
+camera = { velocity = [0, 0, 0] }
+)";
+  EXPECT_EQ(fly(good_scene(flight)).reach, 1027 + 1022);
+  EXPECT_THAT(
+      faults_of("corner_bits = 12\nwrap = true\n" + flight),
+      HasSubstr("9:6: the camera cannot fly in 'a': its place and half the room add to 2049; 12 "
+                "corner bits reach to 2047"));
+  good_scene("corner_bits = 13\nwrap = true\n" + flight);
 }
 
 TEST(SceneCheckTest, CameraBitsCoverTheWay) {

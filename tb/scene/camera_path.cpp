@@ -55,6 +55,17 @@ bool change_room(const SceneFile& scene, int face, PathPoint& point) {
   return false;
 }
 
+void measure(const SceneFile& scene, const PathPoint& point, CameraPath& path) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int distance = std::abs(point.position[axis]);
+    path.largest = std::max(path.largest, distance);
+    const int reach = distance + scene.rooms[point.room].half_size[axis];
+    if (reach <= path.reach) continue;
+    path.reach = reach;
+    path.reach_room = point.room;
+  }
+}
+
 }  // namespace
 
 CameraPath fly(const SceneFile& scene) {
@@ -78,7 +89,7 @@ CameraPath fly(const SceneFile& scene) {
       if (flying)
         for (int axis = 0; axis < 3; ++axis) point.position[axis] += shot.camera.velocity[axis];
       flying = true;
-      for (const int value : point.position) path.largest = std::max(path.largest, std::abs(value));
+      measure(scene, point, path);
     }
   }
   return path;

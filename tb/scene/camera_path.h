@@ -31,6 +31,9 @@ struct CameraPath {
   std::vector<PathPoint> points;  ///< one for each frame; fewer if it ends early
   std::optional<PathEnd> end;     ///< it meets a wall
   int largest = 0;                ///< distance from a room's centre along any axis
+  /// The most that the chip's adder holds on the way: that distance and the room's half size.
+  int reach = 0;
+  int reach_room = 0;  ///< the room of it
 };
 
 /// Flies scene.frames frames. The scene has rooms and shots.

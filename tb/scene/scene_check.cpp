@@ -51,8 +51,21 @@ void check_faces(const SceneFile& scene, Faults& faults) {
                    "a face holds up to four; split the room");
 }
 
+// The chip adds the camera's place and half a room: a sum that does not fit would lose the camera.
+void check_reach(const SceneFile& scene, const CameraPath& path, Faults& faults) {
+  if (scene.corner_bits == 0 || path.reach < 1 << (scene.corner_bits - 1)) return;
+  const Room& room = scene.rooms[path.reach_room];
+  faults.add(room.place,
+             "the camera cannot fly in " + quoted(room.id) +
+                 ": its place and half the room add to " + std::to_string(path.reach) + "; " +
+                 std::to_string(scene.corner_bits) + " corner bits reach to " +
+                 std::to_string((1 << (scene.corner_bits - 1)) - 1),
+             "raise or drop 'corner_bits', or make the room smaller");
+}
+
 void check_path(const SceneFile& scene, Faults& faults) {
   const CameraPath path = fly(scene);
+  check_reach(scene, path, faults);
   if (!path.end) return;
   const Shot& shot = scene.shot_at(path.end->frame - 1);
   const Room& room = scene.rooms[path.end->room];
@@ -71,8 +84,10 @@ void check_path(const SceneFile& scene, Faults& faults) {
 SceneWidths scene_widths(const SceneFile& scene) {
   SceneWidths widths;
   widths.room_bits = unsigned_bits(static_cast<long long>(scene.rooms.size()));
-  widths.corner_bits = std::max(MinCornerBits, unsigned_bits(farthest_corner(scene).distance) + 1);
-  widths.camera_bits = unsigned_bits(fly(scene).largest) + 1;
+  const CameraPath path = fly(scene);
+  const long long farthest = std::max<long long>(farthest_corner(scene).distance, path.reach);
+  widths.corner_bits = std::max(MinCornerBits, unsigned_bits(farthest) + 1);
+  widths.camera_bits = unsigned_bits(path.largest) + 1;
   for (const Room& room : scene.rooms)
     for (const std::vector<int>& face : room.portals)
       widths.portals_per_face = std::max(widths.portals_per_face, static_cast<int>(face.size()));
