@@ -84,7 +84,7 @@ const std::vector<knob_info>& knob_table() {
       {"corner_factor_bits",
        &knobs::corner_factor_bits,
        6,
-       12,
+       16,
        {},
        "bits",
        "corner factor of the two multipliers, after the shift",

@@ -8,24 +8,12 @@
 #include "tb/golden/core_renderer.h"
 #include "tb/golden/trace_4.h"
 #include "tests/golden_hits.h"
+#include "tests/unlimited.h"
 
 namespace racebeam {
 namespace {
 
 using Tracer = GoldenTracer;
-
-/// The chip with its limits switched off.
-knobs unlimited() {
-  knobs k;
-  k.partial_products_cut = 0;
-  k.corner_factor_bits = 12;
-  k.hurry_threshold = -1;
-  k.interval_stack_depth = 64;
-  k.clocks_per_pixel = 8;
-  k.fifo_entries = 64;
-  k.interlace = 0;
-  return k;
-}
 
 GoldenPicture golden(Tracer tracer, int frame, const knobs& k = {}) {
   return golden_picture(tracer, GoldenWorld(frame, k), GoldenCamera(frame));

@@ -14,6 +14,7 @@
 #include "tb/scene/scene_reader.h"
 #include "tb/show.h"
 #include "tb/signal_bench.h"
+#include "tests/unlimited.h"
 
 namespace racebeam {
 namespace {
@@ -35,19 +36,6 @@ SceneFile scene_of(const std::string& name) {
   SceneResult result = read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/" + name + ".toml");
   EXPECT_TRUE(result.faults.none()) << result.faults.text(name);
   return std::move(result.scene);
-}
-
-/// The chip's limits switched off: cut, shift, hurry, stack, beam, and the residues of interlace.
-knobs unlimited(const Show& show) {
-  knobs k = show.standard_knobs();
-  k.partial_products_cut = 0;
-  k.corner_factor_bits = 12;
-  k.hurry_threshold = -1;
-  k.interval_stack_depth = 64;
-  k.fifo_entries = 64;
-  k.clocks_per_pixel = 8;
-  k.interlace = 0;
-  return k;
 }
 
 /// Full pattern shows the rays; partial pattern disturbs the tracer (golden_picture.h).
@@ -73,7 +61,7 @@ TEST_P(EveryScene, FliesWhereTheFileSays) {
 /// Compares frames evenly spread over a scene.
 void expect_chip_equals_trace_4(const std::string& scene, int samples) {
   const Show show(scene_of(scene), "");
-  const knobs k = unlimited(show);
+  const knobs k = unlimited(show.standard_knobs());
   int compared = 0;
   for (int i = 0; i < samples; ++i) {
     const int frame = static_cast<int>((2LL * i + 1) * show.frames() / (2 * samples));

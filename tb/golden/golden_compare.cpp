@@ -16,7 +16,7 @@ struct Limit {
   void (*lift)(knobs&);
 };
 
-constexpr int MaxStack = 64, MaxFifo = 64, MaxClocks = 8, WholeFactor = 12;
+constexpr int MaxStack = 64, MaxFifo = 64, MaxClocks = 8, WholeFactor = 16;
 
 const std::vector<Limit> Limits = {
     {{"give_up", "a starved beam takes short intervals as they are"},

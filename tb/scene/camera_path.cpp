@@ -86,6 +86,7 @@ CameraPath fly(const SceneFile& scene) {
         return path;
       }
       path.points.push_back(point);
+      measure(scene, point, path);
       if (flying)
         for (int axis = 0; axis < 3; ++axis) point.position[axis] += shot.camera.velocity[axis];
       flying = true;

@@ -1,5 +1,5 @@
 // libFuzzer target: no text makes the scene reader crash or hang, and a scene without faults can
-// be measured, flown and drawn.
+// be compiled for the chip, flown and drawn.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -10,11 +10,22 @@
 
 #include "tb/scene/camera_path.h"
 #include "tb/scene/plan_picture.h"
-#include "tb/scene/scene_check.h"
+#include "tb/scene/scene_compiler.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/scene/scene_sight.h"
 
 namespace {
+
+// The chip's table says of each portal which one leads back.
+void check_table(const racebeam::scene_program& program) {
+  for (std::size_t number = 0; number < program.rooms.size(); ++number)
+    for (int face = 0; face < racebeam::FaceCount; ++face)
+      for (const racebeam::portal_row& portal : program.rooms[number].portals[face]) {
+        if (portal.room == racebeam::SolidRoom) continue;
+        const auto& back = program.rooms.at(portal.room).portals[racebeam::opposite(face)];
+        if (portal.back >= racebeam::MaxPortals || back[portal.back].room != number) std::abort();
+      }
+}
 
 // Each portal leads back, and, unless the file allows otherwise, the rooms touch.
 void check_portals(const racebeam::SceneFile& scene) {
@@ -40,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_portals(result.scene);
   const CameraPath path = fly(result.scene);
   if (path.end || path.points.size() != static_cast<std::size_t>(result.scene.frames)) std::abort();
-  (void)scene_widths(result.scene);
+  check_table(compile_scene(result.scene));
   (void)deepest_view(result.scene);
   // The rest is slow under sanitizers and the same for every frame.
   if (result.scene.rooms.size() > 200 || result.scene.frames > 2000) return 0;
