@@ -31,7 +31,7 @@ TEST(Readme, ExampleSceneIsGood) {
   ASSERT_LT(begin, end);
   const SceneResult result = read_scene(text.substr(begin, end - begin), "example");
   EXPECT_TRUE(result.faults.none()) << result.faults.text("README.md");
-  EXPECT_EQ(result.scene.rooms.size(), 14u);
+  EXPECT_EQ(result.scene.rooms.size(), 22u);
 }
 
 TEST(Readme, ListsEveryKnobWithItsDefaultAndRange) {
