@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -29,14 +30,18 @@ SceneResult load(const std::string& file) {
                                result.faults.count() == 1 ? "" : "s", file));
 }
 
-// Names that were perhaps meant: the built-in demo, and the scene files beside `file`.
+// Names that were perhaps meant: the built-in demo, and the scene files beside `file` and in
+// scenes.
 std::vector<std::string> known_scenes(const fs::path& file) {
   std::vector<std::string> known = {BuiltIn};
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == Extension)
-      known.push_back((file.parent_path() / entry.path().filename()).string());
+  for (const fs::path& folder : {file.parent_path(), fs::path("scenes")}) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+      if (entry.path().extension() == Extension)
+        known.push_back((folder / entry.path().filename()).string());
+  }
+  std::sort(known.begin() + 1, known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
   return known;
 }
 
