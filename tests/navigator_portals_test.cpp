@@ -14,7 +14,10 @@ namespace {
 
 template <class Unit>
 using NavigatorPortalsTest = FreeFlight<Unit, 3>;
+template <class Unit>
+using NavigatorFourPortalsTest = FreeFlight<Unit, 4>;
 TYPED_TEST_SUITE(NavigatorPortalsTest, Twins);
+TYPED_TEST_SUITE(NavigatorFourPortalsTest, Twins);
 
 /// Clocks of a flight that finds the camera behind portal `found` of three: five, or six through a
 /// face at negative coordinates; four to find it inside, but for the last portal; for each portal
@@ -95,7 +98,7 @@ TYPED_TEST(NavigatorPortalsTest, ResetHasPriorityInEveryClockOfTrying) {
   }
 }
 
-TYPED_TEST(NavigatorPortalsTest, NoInputIsMissedUnderRandomOnes) {
+TYPED_TEST(NavigatorFourPortalsTest, NoInputIsMissedUnderRandomOnes) {
   auto& bench = this->bench;
   navigator_core core;
   const auto in = [&](const char* port) { return bench[port].value(); };
