@@ -69,8 +69,8 @@ void decision_datapath_core::clock(const inputs& in, const knobs& k) {
       room_q = room;
       navigate(in);
     }
-    for (int& c : corner_q) c = wrap_signed(c, k.corner_bits);
   }
+  for (int& c : corner_q) c = wrap_signed(c, k.corner_bits);
   descend_q = in.descend;
 }
 

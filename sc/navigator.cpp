@@ -108,8 +108,8 @@ void navigator::seq() {
     moved_.notify(sc_core::SC_ZERO_TIME);
   }
   const bool go = nav_line_i.value() && active_start_i.value();
-  const bool held =
-      core_.room_q == start_room_i.value() && core_.position_q == start_i.signed_value();
+  const bool held = core_.portal_q == 0 && core_.room_q == start_room_i.value() &&
+                    core_.position_q == start_i.signed_value();
   const bool needed = go || core_.nav_state_q != NavIdle || (reset() && !held);
   asleep_ = !needed;
   if (needed) next_trigger(clk_i->posedge_event());

@@ -30,7 +30,7 @@ struct room_row {
 
 /// An angle or focal length: start, and step added after every so many frames.
 struct turn_row {
-  bool load = false;  ///< this shot sets it; else it goes on
+  bool load = false;  ///< this shot sets it; else it goes on, and step and every are repeated here
   int start = 0, step = 0, every = 1;
   int per_line = 0;  ///< times y
 };

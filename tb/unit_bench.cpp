@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/unit_bench.h"
 
-#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -83,20 +82,22 @@ void UnitBench::clock(int edges) {
   sc_core::sc_start(after_edge - sc_core::sc_time_stamp());
 }
 
+void UnitBench::shake(std::minstd_rand& random) {
+  for (Pin* pin : order_) {
+    if (!pin->input) continue;
+    const unsigned draw = static_cast<unsigned>(random()) >> 2;
+    if (pin->name == "rst_ni") pin->drive(draw % 64 != 0);
+    else if (pin->name.find("reset") != std::string::npos) pin->drive(draw % 64 == 0);
+    else if (draw % 4 == 0) pin->drive(static_cast<int>(draw >> 2));
+  }
+}
+
 void UnitBench::stir(unsigned seed) {
   sc_core::sc_spawn_options options;
   options.spawn_method();
   options.dont_initialize();
   options.set_sensitivity(&clk_.negedge_event());
-  const auto change = [this, random = std::minstd_rand(seed)]() mutable {
-    for (Pin* pin : order_) {
-      if (!pin->input) continue;
-      const unsigned draw = static_cast<unsigned>(random()) >> 2;
-      if (pin->name == "rst_ni") pin->drive(draw % 64 != 0);
-      else if (pin->name.find("reset") != std::string::npos) pin->drive(draw % 64 == 0);
-      else if (draw % 4 == 0) pin->drive(static_cast<int>(draw >> 2));
-    }
-  };
+  const auto change = [this, random = std::minstd_rand(seed)]() mutable { shake(random); };
   sc_core::sc_spawn(change, "stir", &options);
 }
 

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,8 +54,10 @@ class UnitBench {
   /// One rising edge: registers take what the settled inputs say; then settles.
   void clock(int edges = 1);
 
-  /// From now on new random values on the inputs between the edges: reset pins are active in one
-  /// clock of 64, other inputs change in one of four.
+  /// New random values on the inputs: reset pins are active once in 64 times, other inputs change
+  /// once in four.
+  void shake(std::minstd_rand& random);
+  /// From now on shakes between the edges.
   void stir(unsigned seed);
 
  private:

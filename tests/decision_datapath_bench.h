@@ -18,7 +18,9 @@
 
 namespace racebeam {
 
-constexpr int tag_of(int depth, int level) { return depth << LevelBits | level; }
+constexpr int tag_of(int depth, int level, int portal = 0) {
+  return portal << TagBits | depth << LevelBits | level;
+}
 constexpr int room_of(int i, int j, int k) { return k << 8 | j << 4 | i; }
 
 /// Depth, level, second.
@@ -59,12 +61,16 @@ struct Dut {
   UnitBench bench;
   std::function<Box(int)> scene = [](int) { return Box{{0, 0, 0}, {128, 256, 128}}; };
 
-  explicit Dut(const knobs& k = {}) : unit("dut", k), bench(unit) {}
+  const bool several;  // portals in a face
+
+  explicit Dut(const knobs& k = {})
+      : unit("dut", k), bench(unit), several(k.portals_per_face > 1) {}
 
   int get(const char* port) { return bench[port].value(); }
   void set(const char* port, int value) { bench[port].drive(value); }
   vec3 corner() { return bench.read("corner"); }
-  int depth() { return get("tag_o") >> LevelBits; }
+  int depth() { return get("tag_o") >> LevelBits & low_bits(DepthBits); }
+  int portal() { return get("tag_o") >> TagBits; }
   int level() { return get("tag_o") & 7; }
   At place() { return {depth(), level(), get("second_o")}; }
   bool bit() { return get("dec_o") & 1; }
@@ -93,26 +99,29 @@ struct Dut {
     set("tracer_reset_i", 1);
     clock();
   }
-  void ask_descend(int signs, bool bit, int neighbour = SolidRoom) {
+  void ask_descend(int signs, bool bit, int neighbour = SolidRoom, int back = 0) {
     set("state_i", StateLeft);
     set("descend_i", 1);
     set("ray_signs_i", get("tag_o") == 2 ? ~signs : signs);  // 0.2 gets them with the decision
     set("cur_i", signs << 1 | int(bit));
-    set("leave_i", level() == 7 ? 2 | int(bit) : 0);
+    set("leave_i", level() == 7 || (several && bit && level() < 4) ? 2 | int(bit) : 0);
     set("neighbour_i", neighbour);
+    set("back_i", back);
     settle();
   }
-  void descend(int signs, bool bit, int neighbour = SolidRoom) {
-    ask_descend(signs, bit, neighbour);
+  void descend(int signs, bool bit, int neighbour = SolidRoom, int back = 0) {
+    ask_descend(signs, bit, neighbour, back);
     clock();
   }
-  void ask_climb(int target, int signs, int popped, int neighbour, int state = StateReturn) {
+  void ask_climb(int target, int signs, int popped, int neighbour, int state = StateReturn,
+                 int back = 0) {
     set("state_i", state);
     set("climb_i", 1);
     set("top_tag_i", target);
     set("ray_signs_i", signs);
     set("fread_i", popped);
     set("neighbour_i", neighbour);
+    set("back_i", back);
     settle();
   }
   void climb(int target, int signs, int popped = 0, int neighbour = 0, int state = StateReturn) {
@@ -135,14 +144,28 @@ struct Place {
   vec3 camera{};
   int signs = 0, level = 2;
   bool second = false;
-  std::vector<int> rooms, faces{0}, doms{0};  // by depth; faces: the face entered by
+  // By depth; faces: the face entered by; portals: of that face, and the one that leads back.
+  std::vector<int> rooms, faces{0}, doms{0}, portals{0}, backs{0};
 
   int depth() const { return static_cast<int>(rooms.size()) - 1 - second; }
   int face() const { return faces[depth()]; }
   int new_face(bool bit) const { return doms[depth()] ? (bit ? 2 : 1) : (bit ? 0 : 2); }
-  int code() const { return depth() ? faces[depth()] | doms[depth() - 1] : 0; }
+  int code() const {
+    const int d = depth();
+    if (d == 0) return 0;
+    return backs[d] << (FaceBits + PortalBits) | portals[d] << FaceBits | faces[d] | doms[d - 1];
+  }
+
+  /// Half way from room to room the corner stands at the camera.
+  vec3 at_camera() const {
+    vec3 c;
+    for (int a = 0; a < 3; ++a)
+      c[a] = wrap_signed(signs >> a & 1 ? camera[a] : -camera[a], CornerBits);
+    return c;
+  }
 
   vec3 corner(const std::function<Box(int)>& scene) const {
+    if (second) return at_camera();
     const Box box = scene(rooms[depth()]);
     vec3 c;
     for (int a = 0; a < 3; ++a) {
@@ -150,7 +173,6 @@ struct Place {
       const bool far = level >= 6 || (level < 2 && a != face());
       if (level == 2 && depth() == 0) c[a] = box.centre[a] - camera[a];
       else c[a] = mirror * (box.centre[a] - camera[a]) + (far ? box.half[a] : -box.half[a]);
-      if (second) c[a] = -mirror * camera[a];
       c[a] = wrap_signed(c[a], CornerBits);
     }
     return c;

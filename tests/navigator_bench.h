@@ -32,7 +32,7 @@ struct World {
     if (tunnel) return {64 * TX[j % 8], 64 * TY[j % 8], 256 * j};
     return {256 * i, 0, 256 * j};
   }
-  int neighbour(int room, int axis, bool negative) const {
+  int neighbour(int room, int axis, bool negative, int /*portal*/) const {
     const int d = negative ? -1 : 1;
     if (axis == 0) return (room & ~15) | mod(room + d, 16);
     if (axis == 2) return (room & 15) | mod((room >> 4) + d, 16) << 4;
@@ -40,14 +40,13 @@ struct World {
   }
 };
 
-template <class Unit>
-class NavigatorTest : public testing::Test {
+/// The unit among `Rooms`, which answer half_size, position and neighbour and have a velocity.
+template <class Unit, class Rooms>
+class NavigatorBench : public testing::Test {
  protected:
-  NavigatorTest() {
+  explicit NavigatorBench(const knobs& k = {}) : fitted(k), unit("dut", k), bench(unit) {
     bench.clock(2);
     bench["rst_ni"].drive(1);
-    bench.drive("start", "_i", {0, world.start_y, 0});
-    bench["start_room_i"].drive(4);
     bench.settle();
   }
 
@@ -78,10 +77,11 @@ class NavigatorTest : public testing::Test {
         case CornerAddR: next[a] += r[a]; break;
         default: break;
       }
-      next[a] = wrap12(next[a]);
+      next[a] = wrap_signed(next[a], fitted.corner_bits);
     }
-    if (out("nav_move_o")) room = world.neighbour(room, out("nav_axis_o"), out("nav_negative_o"));
-    if (active_start) {  // the tree is re-rooted (contract 11.1)
+    if (out("nav_move_o"))
+      room = world.neighbour(room, out("nav_axis_o"), out("nav_negative_o"), out("nav_portal_o"));
+    if (active_start || op == CornerCamera) {  // the tree is re-rooted (contract 11.1)
       next = position();
       room = out("nav_room_o");
     }
@@ -111,32 +111,44 @@ class NavigatorTest : public testing::Test {
     bench.clock();
   }
 
+  Rooms world;
+  vec3 corner{};
+  int room = 4;
+  const knobs fitted;
+  Unit unit;
+  UnitBench bench;
+};
+
+/// On the chip's own flights.
+template <class Unit>
+class NavigatorTest : public NavigatorBench<Unit, World> {
+ protected:
+  NavigatorTest() {
+    this->bench.drive("start", "_i", {0, this->world.start_y, 0});
+    this->bench["start_room_i"].drive(4);
+    this->bench.settle();
+  }
+
   /// A flight of `frames` frames against contract 17.6 (13.1 for the pillars).
   void fly(int frames, int velocity_z) {
-    world.velocity = {0, 0, velocity_z};
-    bench.drive("start", "_i", {0, world.start_y, 0});
-    bench["start_room_i"].drive(4);
+    this->world.velocity = {0, 0, velocity_z};
+    this->bench.drive("start", "_i", {0, this->world.start_y, 0});
+    this->bench["start_room_i"].drive(4);
     int j = 0;  // counts on, where the tunnel's room number wraps
     for (int h = 0; h < frames; ++h) {
       if (h == 0) {
-        bench["nav_reset_i"].drive(1);
-        bench.clock();
+        this->bench["nav_reset_i"].drive(1);
+        this->bench.clock();
       }
       const int g = h == 0 ? 0 : -velocity_z * (h - 1);
-      if (256 * j - g < -world.half_z(j)) ++j;
-      const int x = world.tunnel ? 64 * (TX[j % 8] - TX[0]) : 0;
-      const int y = world.start_y + (world.tunnel ? 64 * (TY[j % 8] - TY[0]) : 0);
-      ASSERT_EQ(position(), (vec3{x, y, 256 * j - g})) << "frame " << h;
-      ASSERT_EQ(out("nav_room_o"), j % 16 << 4 | 4) << "frame " << h;
-      frame(h == 0);
+      if (256 * j - g < -this->world.half_z(j)) ++j;
+      const int x = this->world.tunnel ? 64 * (TX[j % 8] - TX[0]) : 0;
+      const int y = this->world.start_y + (this->world.tunnel ? 64 * (TY[j % 8] - TY[0]) : 0);
+      ASSERT_EQ(this->position(), (vec3{x, y, 256 * j - g})) << "frame " << h;
+      ASSERT_EQ(this->out("nav_room_o"), j % 16 << 4 | 4) << "frame " << h;
+      this->frame(h == 0);
     }
   }
-
-  World world;
-  vec3 corner{};
-  int room = 4;
-  Unit unit{"dut", knobs{}};
-  UnitBench bench{unit};
 };
 
 using Twins = testing::Types<navigator>;
