@@ -5,6 +5,8 @@
 `default_nettype none
 
 package racebeam_pkg;
+  /* verilator lint_off UNUSEDPARAM */  // a unit uses some of them
+
   // Raster
   localparam int LinePixels = 800;
   localparam int FirstPosition = -480;
@@ -50,6 +52,8 @@ package racebeam_pkg;
   // Demo
   localparam int FrameBits = 14;
   localparam int DemoFrames = 12799;
+
+  /* verilator lint_on UNUSEDPARAM */
 endpackage
 
 `default_nettype wire

@@ -158,7 +158,7 @@ void camera_unit_core::clock(const inputs& in, const knobs& k) {
 }
 
 camera_unit::camera_unit(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : camera_unit_pins(name), knobs_(k) {
   SC_HAS_PROCESS(camera_unit);
   SC_METHOD(seq);
   sensitive << line_end_i << rst_ni;

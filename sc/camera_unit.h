@@ -66,7 +66,7 @@ struct camera_unit_core {
 };
 
 /// Pins of camera_unit.
-class camera_unit : public sc_core::sc_module {
+class camera_unit_pins : public sc_core::sc_module {
  public:
   // Clock, reset, line
   in_port<1> clk_i{"clk_i"};
@@ -93,6 +93,15 @@ class camera_unit : public sc_core::sc_module {
   out_port<1> idx_load_o{"idx_load_o"};
   out_port<PixelBits> idx_start_o{"idx_start_o"};
   out_port<PixelBits> i2_init_o{"i2_init_o"};  // i2 during tracer_reset and after a restart
+
+  explicit camera_unit_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of camera_unit: its core behind the pins.
+class camera_unit : public camera_unit_pins {
+ public:
+  using pins = camera_unit_pins;
+  static constexpr const char* unit_name = "camera_unit";
 
   camera_unit(const sc_core::sc_module_name& name, const knobs& k);
 

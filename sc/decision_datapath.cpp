@@ -241,7 +241,7 @@ void decision_datapath_core::navigate(const inputs& in) {
 }
 
 decision_datapath::decision_datapath(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : decision_datapath_pins(name), knobs_(k) {
   SC_HAS_PROCESS(decision_datapath);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

@@ -144,7 +144,7 @@ struct decision_datapath_core {
 };
 
 /// Pins of decision_datapath.
-class decision_datapath : public sc_core::sc_module {
+class decision_datapath_pins : public sc_core::sc_module {
  public:
   // Clock; phase of the line
   in_port<1> clk_i{"clk_i"};
@@ -199,6 +199,15 @@ class decision_datapath : public sc_core::sc_module {
   in_port<PortalBits> back_i{"back_i"};
   // pixel_output
   out_port<2> hit_face_o{"hit_face_o"};  // axis of the wall hit
+
+  explicit decision_datapath_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of decision_datapath: its core behind the pins.
+class decision_datapath : public decision_datapath_pins {
+ public:
+  using pins = decision_datapath_pins;
+  static constexpr const char* unit_name = "decision_datapath";
 
   decision_datapath(const sc_core::sc_module_name& name, const knobs& k);
 

@@ -5,7 +5,7 @@
 namespace racebeam {
 
 interval_fifo::interval_fifo(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : interval_fifo_pins(name), knobs_(k) {
   SC_HAS_PROCESS(interval_fifo);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

@@ -117,7 +117,7 @@ struct interval_fifo_core {
 };
 
 /// Pins of interval_fifo.
-class interval_fifo : public sc_core::sc_module {
+class interval_fifo_pins : public sc_core::sc_module {
  public:
   // Clock; phase of the line
   in_port<1> clk_i{"clk_i"};
@@ -133,6 +133,15 @@ class interval_fifo : public sc_core::sc_module {
   out_port<2> display_o{"display_o"};  // colour index on show
   // For statistics
   out_port<7> fill_o{"fill_o"};  // entries in use
+
+  explicit interval_fifo_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of interval_fifo: its core behind the pins.
+class interval_fifo : public interval_fifo_pins {
+ public:
+  using pins = interval_fifo_pins;
+  static constexpr const char* unit_name = "interval_fifo";
 
   interval_fifo(const sc_core::sc_module_name& name, const knobs& k);
 

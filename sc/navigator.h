@@ -88,7 +88,7 @@ struct navigator_core {
 };
 
 /// Pins of navigator.
-class navigator : public sc_core::sc_module {
+class navigator_pins : public sc_core::sc_module {
  public:
   // Clock and reset
   in_port<1> clk_i{"clk_i"};
@@ -110,6 +110,15 @@ class navigator : public sc_core::sc_module {
   out_port<1> nav_negative_o{"nav_negative_o"};  // look towards negative coordinates
   out_port<3> nav_op_o{"nav_op_o"};              // corner_op
   out_port<1> nav_move_o{"nav_move_o"};          // room := neighbour
+
+  explicit navigator_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of navigator: its core behind the pins.
+class navigator : public navigator_pins {
+ public:
+  using pins = navigator_pins;
+  static constexpr const char* unit_name = "navigator";
 
   navigator(const sc_core::sc_module_name& name, const knobs& k);
 

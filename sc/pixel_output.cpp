@@ -36,7 +36,7 @@ int pixel_output_core::uo(const inputs& in, const knobs& k) {
 }
 
 pixel_output::pixel_output(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : pixel_output_pins(name), knobs_(k) {
   SC_HAS_PROCESS(pixel_output);
   SC_METHOD(offer);
   sensitive << hit_face_i << ray_signs_i << y_i << shading_b_i << starving_i;

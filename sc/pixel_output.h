@@ -47,7 +47,7 @@ struct pixel_output_core {
 };
 
 /// Pins of pixel_output.
-class pixel_output : public sc_core::sc_module {
+class pixel_output_pins : public sc_core::sc_module {
  public:
   // Interval on offer
   in_port<2> hit_face_i{"hit_face_i"};    // axis of the wall
@@ -67,6 +67,15 @@ class pixel_output : public sc_core::sc_module {
   in_port<1> hsync_ni{"hsync_ni"};
   in_port<1> vsync_ni{"vsync_ni"};
   out_port<8> uo_o{"uo_o"};  // {hsync, B0, G0, R0, vsync, B1, G1, R1}
+
+  explicit pixel_output_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of pixel_output: its core behind the pins.
+class pixel_output : public pixel_output_pins {
+ public:
+  using pins = pixel_output_pins;
+  static constexpr const char* unit_name = "pixel_output";
 
   pixel_output(const sc_core::sc_module_name& name, const knobs& k);
 

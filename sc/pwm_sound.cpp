@@ -238,7 +238,7 @@ void pwm_sound_core::add_voice(const inputs& in, int voice) {
   }
 }
 
-pwm_sound::pwm_sound(const sc_core::sc_module_name& name) : sc_module(name) {
+pwm_sound::pwm_sound(const sc_core::sc_module_name& name) : pwm_sound_pins(name) {
   SC_HAS_PROCESS(pwm_sound);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

@@ -91,7 +91,7 @@ struct pwm_sound_core {
 };
 
 /// Pins of pwm_sound.
-class pwm_sound : public sc_core::sc_module {
+class pwm_sound_pins : public sc_core::sc_module {
  public:
   // Clock and reset
   in_port<1> clk_i{"clk_i"};
@@ -103,6 +103,15 @@ class pwm_sound : public sc_core::sc_module {
   in_port<11> x2_i{"x2_i"};        // signed, half pixels, -960..639
   in_port<10> y_i{"y_i"};          // signed, scan line, -273..251
   in_port<14> frame_i{"frame_i"};  // 0..12798
+
+  explicit pwm_sound_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of pwm_sound: its core behind the pins.
+class pwm_sound : public pwm_sound_pins {
+ public:
+  using pins = pwm_sound_pins;
+  static constexpr const char* unit_name = "pwm_sound";
 
   explicit pwm_sound(const sc_core::sc_module_name& name);
 

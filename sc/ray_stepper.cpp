@@ -5,7 +5,7 @@
 namespace racebeam {
 
 ray_stepper::ray_stepper(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : ray_stepper_pins(name), knobs_(k) {
   SC_HAS_PROCESS(ray_stepper);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

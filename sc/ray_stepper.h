@@ -95,7 +95,7 @@ struct ray_stepper_core {
 };
 
 /// Pins of ray_stepper.
-class ray_stepper : public sc_core::sc_module {
+class ray_stepper_pins : public sc_core::sc_module {
  public:
   // Clock; phase of the line
   in_port<1> clk_i{"clk_i"};
@@ -117,6 +117,15 @@ class ray_stepper : public sc_core::sc_module {
   // Ray directions
   axes_out<DrPortBits> dr1_o{"dr1", "_o"};  // signed
   axes_out<DrPortBits> dr2_o{"dr2", "_o"};  // signed
+
+  explicit ray_stepper_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of ray_stepper: its core behind the pins.
+class ray_stepper : public ray_stepper_pins {
+ public:
+  using pins = ray_stepper_pins;
+  static constexpr const char* unit_name = "ray_stepper";
 
   ray_stepper(const sc_core::sc_module_name& name, const knobs& k);
 

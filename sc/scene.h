@@ -63,6 +63,9 @@ class scene_pins : public sc_core::sc_module {
 /// The chip's scene.
 class scene : public scene_pins {
  public:
+  using pins = scene_pins;
+  static constexpr const char* unit_name = "scene";
+
   explicit scene(const sc_core::sc_module_name& name);
 
  private:

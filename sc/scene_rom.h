@@ -35,6 +35,9 @@ struct scene_rom_core {
 /// scene_rom with the table of a program, which must outlive it.
 class scene_rom : public scene_pins {
  public:
+  using pins = scene_pins;
+  static constexpr const char* unit_name = "scene_rom";
+
   scene_rom(const sc_core::sc_module_name& name, const scene_program& program);
 
  private:

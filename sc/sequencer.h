@@ -130,6 +130,9 @@ class sequencer_pins : public sc_core::sc_module {
 /// The chip's sequencer.
 class sequencer : public sequencer_pins {
  public:
+  using pins = sequencer_pins;
+  static constexpr const char* unit_name = "sequencer";
+
   sequencer(const sc_core::sc_module_name& name, const knobs& k);
 
   void deposit(int frame) override;

@@ -4,7 +4,7 @@
 
 namespace racebeam {
 
-stacks::stacks(const sc_core::sc_module_name& name, const knobs& k) : sc_module(name), knobs_(k) {
+stacks::stacks(const sc_core::sc_module_name& name, const knobs& k) : stacks_pins(name), knobs_(k) {
   SC_HAS_PROCESS(stacks);
   SC_METHOD(seq);
   sensitive << push_en_i << fwrite_i;

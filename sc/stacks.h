@@ -53,7 +53,7 @@ struct stacks_core {
 };
 
 /// Pins of stacks.
-class stacks : public sc_core::sc_module {
+class stacks_pins : public sc_core::sc_module {
  public:
   // Clock
   in_port<1> clk_i{"clk_i"};
@@ -68,6 +68,15 @@ class stacks : public sc_core::sc_module {
   in_port<1> fwrite_i{"fwrite_i"};
   in_port<FacePortBits> fdata_i{"fdata_i"};
   out_port<FacePortBits> fread_o{"fread_o"};
+
+  explicit stacks_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of stacks: its core behind the pins.
+class stacks : public stacks_pins {
+ public:
+  using pins = stacks_pins;
+  static constexpr const char* unit_name = "stacks";
 
   stacks(const sc_core::sc_module_name& name, const knobs& k);
 

@@ -135,7 +135,7 @@ void subdivider_core::clock(const inputs& in, const outputs& o, const knobs& k) 
 }
 
 subdivider::subdivider(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : subdivider_pins(name), knobs_(k) {
   SC_HAS_PROCESS(subdivider);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

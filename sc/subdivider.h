@@ -95,7 +95,7 @@ struct subdivider_core {
 };
 
 /// Pins of subdivider.
-class subdivider : public sc_core::sc_module {
+class subdivider_pins : public sc_core::sc_module {
  public:
   // Clock; phase of the line
   in_port<1> clk_i{"clk_i"};
@@ -141,6 +141,15 @@ class subdivider : public sc_core::sc_module {
   in_port<1> consume_i{"consume_i"};
   // Line
   out_port<1> line_done_o{"line_done_o"};  // the interval ending at 639 was accepted
+
+  explicit subdivider_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of subdivider: its core behind the pins.
+class subdivider : public subdivider_pins {
+ public:
+  using pins = subdivider_pins;
+  static constexpr const char* unit_name = "subdivider";
 
   subdivider(const sc_core::sc_module_name& name, const knobs& k);
 

@@ -54,6 +54,9 @@ struct timeline_core {
 /// timeline with the table of a program, which must outlive it.
 class timeline : public sequencer_pins {
  public:
+  using pins = sequencer_pins;
+  static constexpr const char* unit_name = "timeline";
+
   timeline(const sc_core::sc_module_name& name, const knobs& k, const scene_program& program);
 
   void deposit(int frame) override;

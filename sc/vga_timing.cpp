@@ -5,7 +5,7 @@
 namespace racebeam {
 
 vga_timing::vga_timing(const sc_core::sc_module_name& name, const knobs& k)
-    : sc_module(name), knobs_(k) {
+    : vga_timing_pins(name), knobs_(k) {
   SC_HAS_PROCESS(vga_timing);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

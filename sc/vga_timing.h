@@ -102,7 +102,7 @@ struct vga_timing_core {
 };
 
 /// Pins of vga_timing.
-class vga_timing : public sc_core::sc_module {
+class vga_timing_pins : public sc_core::sc_module {
  public:
   // Clock and reset
   in_port<1> clk_i{"clk_i"};
@@ -123,6 +123,15 @@ class vga_timing : public sc_core::sc_module {
   out_port<1> frame_end_o{"frame_end_o"};        // last clock of a frame
   // The navigator's line
   out_port<1> nav_line_o{"nav_line_o"};
+
+  explicit vga_timing_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of vga_timing: its core behind the pins.
+class vga_timing : public vga_timing_pins {
+ public:
+  using pins = vga_timing_pins;
+  static constexpr const char* unit_name = "vga_timing";
 
   vga_timing(const sc_core::sc_module_name& name, const knobs& k);
 
