@@ -329,7 +329,8 @@ chip_view chip::view() const {
 
 void chip::deposit(int to) {
   u_sequencer->deposit(to);
-  u_navigator.deposit(fly_to(to, knobs_, program_));
+  const navigator_core place = fly_to(to, knobs_, program_);
+  u_navigator.deposit(place.position_q, place.room_q);
 }
 
 }  // namespace racebeam

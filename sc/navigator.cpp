@@ -135,9 +135,9 @@ void navigator::comb() {
   }
 }
 
-void navigator::deposit(const navigator_core& from) {
-  core_.position_q = from.position_q;
-  core_.room_q = from.room_q;
+void navigator::deposit(const vec3& position, int room) {
+  core_.position_q = position;
+  core_.room_q = room;
   moved_.notify(sc_core::SC_ZERO_TIME);
 }
 

@@ -112,6 +112,9 @@ class navigator_pins : public sc_core::sc_module {
   out_port<1> nav_move_o{"nav_move_o"};          // room := neighbour
 
   explicit navigator_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+
+  /// Puts the camera to a place (back door, between clocks).
+  virtual void deposit(const vec3& position, int room) = 0;
 };
 
 /// The model of navigator: its core behind the pins.
@@ -122,8 +125,7 @@ class navigator : public navigator_pins {
 
   navigator(const sc_core::sc_module_name& name, const knobs& k);
 
-  /// Puts the camera to the place of `from` (back door, between clocks).
-  void deposit(const navigator_core& from);
+  void deposit(const vec3& position, int room) override;
 
  private:
   void seq();

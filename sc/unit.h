@@ -11,6 +11,7 @@
 #include <string>
 #include <systemc>
 #include <type_traits>
+#include <vector>
 
 #include "sc/fixed_point.h"
 
@@ -24,11 +25,41 @@ using wire_type = std::conditional_t<Bits == 1, bool, sc_dt::sc_uint<Bits>>;
 template <int Bits>
 using wire = sc_core::sc_signal<wire_type<Bits>, sc_core::SC_UNCHECKED_WRITERS>;
 
+/// A port whose width is not in the type: for what treats all ports alike.
+class any_port {
+ public:
+  virtual ~any_port() = default;
+  virtual const char* port_name() const = 0;
+  virtual int bits() const = 0;
+  virtual bool is_input() const = 0;
+  /// The raw bits of its wire.
+  virtual int wire_value() const = 0;
+  /// Drives an output.
+  virtual void drive_wire(int value) = 0;
+  /// Makes a process sensitive to an input.
+  virtual void sense(sc_core::sc_sensitive& process) = 0;
+};
+
+/// All ports of a module, in the order of declaration.
+inline std::vector<any_port*> ports_of(const sc_core::sc_module& module) {
+  std::vector<any_port*> ports;
+  for (auto* child : module.get_child_objects())
+    if (auto* port = dynamic_cast<any_port*>(child)) ports.push_back(port);
+  return ports;
+}
+
 /// Input port of `Bits` bits.
 template <int Bits>
-class in_port : public sc_core::sc_in<wire_type<Bits>> {
+class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
  public:
   using sc_core::sc_in<wire_type<Bits>>::sc_in;
+
+  const char* port_name() const override { return this->basename(); }
+  int bits() const override { return Bits; }
+  bool is_input() const override { return true; }
+  int wire_value() const override { return value(); }
+  void drive_wire(int) override {}
+  void sense(sc_core::sc_sensitive& process) override { process << *this; }
 
   /// The raw bits.
   int value() const {
@@ -53,9 +84,16 @@ class in_port : public sc_core::sc_in<wire_type<Bits>> {
 
 /// Output port of `Bits` bits.
 template <int Bits>
-class out_port : public sc_core::sc_out<wire_type<Bits>> {
+class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port {
  public:
   using sc_core::sc_out<wire_type<Bits>>::sc_out;
+
+  const char* port_name() const override { return this->basename(); }
+  int bits() const override { return Bits; }
+  bool is_input() const override { return false; }
+  int wire_value() const override { return static_cast<int>((*this)->read()); }
+  void drive_wire(int value) override { drive(value); }
+  void sense(sc_core::sc_sensitive&) override {}
 
   /// Drives the low `Bits` bits of `value`.
   void drive(int value) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -59,7 +60,7 @@ class StacksTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<stacks>;
+using Twins = testing::Types<stacks, rtl_twin<stacks>>;
 TYPED_TEST_SUITE(StacksTest, Twins);
 
 // Item S of section 18: never reset, 0 at power-up.
@@ -173,11 +174,16 @@ TYPED_TEST(StacksTest, BothStacksRememberUnderRandomTraffic) {
   }
 }
 
+template <class Unit>
+class StacksKnobs : public testing::Test {};
+TYPED_TEST_SUITE(StacksKnobs, Twins);
+
 // Knob interval_stack_depth: a ring of that many words.
+template <class Unit>
 void expect_ring_of(int size) {
   knobs k;
   k.interval_stack_depth = size;
-  Dut<stacks> d(k);
+  Dut<Unit> d(k);
   std::vector<Entry> pushed;
   int sp = 0;
   for (int n = 0; n < 2 * size + 1; ++n) {
@@ -193,22 +199,23 @@ void expect_ring_of(int size) {
   }
 }
 
-TEST(StacksKnobs, IntervalStackOfOneWordHoldsTheYoungest) { expect_ring_of(1); }
-TEST(StacksKnobs, IntervalStackOfTwoWordsIsARingOfTwo) { expect_ring_of(2); }
-TEST(StacksKnobs, IntervalStackOf64WordsIsARingOf64) { expect_ring_of(64); }
+TYPED_TEST(StacksKnobs, IntervalStackOfOneWordHoldsTheYoungest) { expect_ring_of<TypeParam>(1); }
+TYPED_TEST(StacksKnobs, IntervalStackOfTwoWordsIsARingOfTwo) { expect_ring_of<TypeParam>(2); }
+TYPED_TEST(StacksKnobs, IntervalStackOf64WordsIsARingOf64) { expect_ring_of<TypeParam>(64); }
 
 // Knob face_stack_depth: one word for each room entered.
+template <class Unit>
 void expect_faces_up_to(int size) {
   knobs k;
   k.face_stack_depth = size;
-  Dut<stacks> d(k);
+  Dut<Unit> d(k);
   for (int depth = 0; depth < 16; ++depth) d.write_face(depth, 1 + depth % 3);
   for (int depth = 0; depth < 16; ++depth)
     EXPECT_EQ(d.face(depth), depth >= 1 && depth <= size ? 1 + (depth - 1) % 3 : 0) << depth;
 }
 
-TEST(StacksKnobs, FaceStackOfTwoWordsHoldsTwoFaces) { expect_faces_up_to(2); }
-TEST(StacksKnobs, FaceStackOf15WordsHolds15Faces) { expect_faces_up_to(15); }
+TYPED_TEST(StacksKnobs, FaceStackOfTwoWordsHoldsTwoFaces) { expect_faces_up_to<TypeParam>(2); }
+TYPED_TEST(StacksKnobs, FaceStackOf15WordsHolds15Faces) { expect_faces_up_to<TypeParam>(15); }
 
 }  // namespace
 }  // namespace racebeam

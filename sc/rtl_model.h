@@ -1,0 +1,31 @@
+// What a plug-in of verilated RTL offers to the SystemC chip: a table of ports, and evaluation.
+//
+// Plain C, so that it does not matter which compiler made the plug-in. scripts/verilate makes one.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+extern "C" {
+
+/// A port of the top module. Its value lies in `bytes` bytes at `data`, upper bits 0.
+struct rtl_port {
+  const char* name;
+  int bits, bytes, is_input;
+  void* data;
+};
+
+/// One instance.
+struct rtl_model {
+  const char* unit;        ///< name of the top module
+  const char* parameters;  ///< "Name=value Name=value ": the defaults, then what was set
+  const rtl_port* ports;
+  int port_count;
+  void* top;
+  void (*eval)(void* top);
+  void (*destroy)(rtl_model* model);
+};
+
+/// The one symbol of a plug-in, "rtl_make": a new instance.
+typedef rtl_model* (*rtl_maker)();
+}

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/rtl_plugin.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* Clock = "clk_i";
+
+std::shared_ptr<void> load(const std::string& path) {
+  // A name without a slash would be looked for in the system's folders.
+  void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library) return {library, dlclose};
+  if (!fs::exists(path))
+    throw RtlError("there is no plug-in " + path +
+                   "; build it: scripts/build, or scripts/verilate");
+  throw RtlError(path + " cannot be loaded: " + dlerror());
+}
+
+rtl_model* make(const std::shared_ptr<void>& library, const std::string& path) {
+  const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make"));
+  if (!maker) throw RtlError(path + " is no plug-in; make one with scripts/verilate");
+  return maker();
+}
+
+// interval_stack_depth -> IntervalStackDepth
+std::string parameter_name(const std::string& knob) {
+  std::string name;
+  bool capital = true;
+  for (const char c : knob) {
+    if (c != '_') name += capital ? static_cast<char>(std::toupper(c)) : c;
+    capital = c == '_';
+  }
+  return name;
+}
+
+/// The knobs that RTL knows, by the names of its parameters.
+std::vector<std::pair<std::string, int>> parameter_values(const knobs& k) {
+  std::vector<std::pair<std::string, int>> values;
+  for (const auto& row : knob_table()) values.emplace_back(parameter_name(row.name), k.*row.member);
+  values.emplace_back("NavigatorBits", k.navigator_bits);
+  values.emplace_back("FreeFlight", k.free_flight);
+  values.emplace_back("PortalsPerFace", k.portals_per_face);
+  return values;
+}
+
+/// "Name=value" of the parameters that RTL was built with and `k` wants otherwise.
+std::vector<std::string> other_parameters(const rtl_model& model, const knobs& k) {
+  std::map<std::string, int> built;  // the last setting counts
+  std::istringstream words(model.parameters);
+  for (std::string word; words >> word;) {
+    const auto equals = word.find('=');
+    if (equals != std::string::npos)
+      built[word.substr(0, equals)] = std::stoi(word.substr(equals + 1));
+  }
+  std::vector<std::string> other;
+  for (const auto& [name, value] : parameter_values(k))
+    if (const auto at = built.find(name); at != built.end() && at->second != value)
+      other.push_back(name + "=" + std::to_string(value));
+  return other;
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::string widths(int wanted, int got) {
+  return std::to_string(got) + (got == 1 ? " bit" : " bits") + " wide instead of " +
+         std::to_string(wanted);
+}
+
+using Model = std::unique_ptr<rtl_model, void (*)(rtl_model*)>;
+
+Model instance_of(const std::shared_ptr<void>& library, const std::string& path) {
+  rtl_model* model = make(library, path);
+  return {model, model->destroy};
+}
+
+fs::path program_folder() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+/// The folder with scripts/verilate and rtl/: the sources, or where they are installed.
+fs::path project_folder() {
+  std::error_code error;
+  const fs::path installed = program_folder() / "../share/racebeam";
+  return fs::exists(installed / "scripts/verilate", error) ? installed : fs::path(RACEBEAM_ROOT);
+}
+
+}  // namespace
+
+std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
+  std::error_code error;
+  fs::path path = program_folder() / "rtl" / (unit + ".so");
+  const fs::path installed = program_folder() / "../lib/racebeam" / (unit + ".so");
+  if (!fs::exists(path, error) && fs::exists(installed, error)) path = installed;
+  std::vector<std::string> other;
+  {
+    const auto library = load(path.string());
+    other = other_parameters(*instance_of(library, path.string()), k);
+  }
+  if (other.empty()) return path.string();
+  const fs::path variant = path.parent_path() / (unit + "." + joined(other, ".") + ".so");
+  if (!fs::exists(variant, error))
+    build_rtl_plugin(unit, {(project_folder() / "rtl" / (unit + ".sv")).string()}, other,
+                     variant.string());
+  return variant.string();
+}
+
+void build_rtl_plugin(const std::string& unit, const std::vector<std::string>& sources,
+                      const std::vector<std::string>& parameters, const std::string& out) {
+  const auto quoted = [](const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return text + "'";
+  };
+  const std::string log = out + ".log", fresh = out + "." + std::to_string(getpid());
+  std::string command = quoted((project_folder() / "scripts/verilate").string()) + " " +
+                        quoted(unit) + " " + quoted(fresh);
+  for (const std::string& parameter : parameters) command += " " + quoted("-G" + parameter);
+  for (const std::string& source : sources) command += " " + quoted(fs::absolute(source).string());
+  const int status = std::system((command + " >" + quoted(log) + " 2>&1").c_str());
+  std::ifstream in(log);
+  const std::string said{std::istreambuf_iterator<char>(in), {}};
+  std::error_code ignored;
+  fs::remove(log, ignored);
+  if (status != 0) {
+    fs::remove(fresh, ignored);
+    throw RtlError("the RTL of " + unit + " (" + joined(sources, ", ") +
+                   ") cannot be verilated:\n" + said);
+  }
+  fs::rename(fresh, out);
+}
+
+rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
+                           const std::vector<any_port*>& pins, const knobs& k)
+    : library_(load(plugin)), model_(instance_of(library_, plugin)) {
+  if (unit != model_->unit)
+    throw RtlError(plugin + " holds the unit " + model_->unit + ", not " + unit);
+  std::string faults;
+  const auto fault = [&](const std::string& text) { faults += "\n  " + text; };
+  std::vector<const rtl_port*> unknown;
+  for (int n = 0; n < model_->port_count; ++n) unknown.push_back(&model_->ports[n]);
+  for (any_port* pin : pins) {
+    const auto at = std::find_if(unknown.begin(), unknown.end(), [&](const rtl_port* port) {
+      return std::strcmp(port->name, pin->port_name()) == 0;
+    });
+    const std::string name = pin->port_name();
+    if (at == unknown.end()) {
+      fault("port " + name + " is missing: " + (pin->is_input() ? "input" : "output") + ", " +
+            std::to_string(pin->bits()) + (pin->bits() == 1 ? " bit" : " bits"));
+      continue;
+    }
+    const rtl_port& port = **at;
+    unknown.erase(at);
+    if (port.is_input != pin->is_input())
+      fault("port " + name + " is an " + (port.is_input ? "input" : "output") + " instead of an " +
+            (port.is_input ? "output" : "input"));
+    else if (port.bits != pin->bits())
+      fault("port " + name + " is " + widths(pin->bits(), port.bits));
+    else if (name == Clock) clock_ = static_cast<std::uint8_t*>(port.data);
+    else if (pin->is_input()) inputs_.push_back({pin, value(port)});
+    else outputs_.push_back({pin, value(port)});
+  }
+  for (const rtl_port* port : unknown)
+    fault("port " + std::string(port->name) + " is not a port of the unit");
+  if (!faults.empty())
+    throw RtlError(plugin + " does not fit the unit " + unit + "; sc/" + unit +
+                   ".h has its ports:" + faults);
+  const auto other = other_parameters(*model_, k);
+  if (!other.empty())
+    throw RtlError(plugin + " was built with other parameters; build it with " +
+                   joined(other, ", "));
+}
+
+int rtl_instance::value::read() const {
+  switch (port_->bytes) {
+    case 1: return *static_cast<const std::uint8_t*>(port_->data);
+    case 2: return *static_cast<const std::uint16_t*>(port_->data);
+    default: return static_cast<int>(*static_cast<const std::uint32_t*>(port_->data));
+  }
+}
+
+void rtl_instance::value::write(int value) const {
+  const int raw = value & low_bits(port_->bits);
+  switch (port_->bytes) {
+    case 1: *static_cast<std::uint8_t*>(port_->data) = static_cast<std::uint8_t>(raw); break;
+    case 2: *static_cast<std::uint16_t*>(port_->data) = static_cast<std::uint16_t>(raw); break;
+    default: *static_cast<std::uint32_t*>(port_->data) = static_cast<std::uint32_t>(raw);
+  }
+}
+
+void rtl_instance::settle() {
+  for (const input& in : inputs_) in.rtl.write(in.pin->wire_value());
+  if (clock_) *clock_ = 0;
+  evaluate();
+}
+
+void rtl_instance::edge() {
+  if (*clock_) {
+    *clock_ = 0;
+    evaluate();
+  }
+  *clock_ = 1;
+  evaluate();
+}
+
+void rtl_instance::drive() {
+  for (const output& out : outputs_) out.pin->drive_wire(out.rtl.read());
+}
+
+rtl_instance::value rtl_instance::port(const std::string& name) const {
+  for (int n = 0; n < model_->port_count; ++n)
+    if (name == model_->ports[n].name) return value(model_->ports[n]);
+  throw RtlError("the RTL has no port " + name);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,87 @@
+// Plug-ins of verilated RTL: finding, loading, and joining one to the pins of a unit.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sc/knobs.h"
+#include "sc/rtl_model.h"
+#include "sc/unit.h"
+
+namespace racebeam {
+
+/// RTL that cannot stand in a unit's place: what is wrong with it, and what to do.
+class RtlError : public std::runtime_error {
+ public:
+  using runtime_error::runtime_error;
+};
+
+/// The plug-in of a unit's own RTL in the folder `rtl` beside the program, or, when installed, in
+/// ../lib/racebeam. Where `k` asks for other parameters than it was built with, one with those,
+/// built when it is asked for the first time. Throws RtlError.
+std::string rtl_plugin_path(const std::string& unit, const knobs& k);
+
+/// Verilates RTL of a unit into the plug-in `out`, with parameters "Name=value". Throws RtlError
+/// with what Verilator says.
+void build_rtl_plugin(const std::string& unit, const std::vector<std::string>& sources,
+                      const std::vector<std::string>& parameters, const std::string& out);
+
+/// One instance of verilated RTL behind the ports of a module.
+class rtl_instance {
+ public:
+  /// Loads a plug-in and joins its ports to those of `pins` by name. Throws RtlError: no such file,
+  /// no plug-in, another unit, missing, extra or wrongly sized ports, built for other knobs.
+  rtl_instance(const std::string& plugin, const std::string& unit,
+               const std::vector<any_port*>& pins, const knobs& k);
+
+  /// Copies the inputs from the wires and lets combinational outputs follow.
+  void settle();
+  /// One rising edge with the inputs of the last settle().
+  void edge();
+  /// Drives the wires of all outputs.
+  void drive();
+
+  /// A port of the RTL by name, to be read or, between settle() and edge(), written.
+  class value {
+   public:
+    explicit value(const rtl_port& port) : port_(&port) {}
+    int read() const;
+    /// The low bits of `value`.
+    void write(int value) const;
+    const char* name() const { return port_->name; }
+    int bits() const { return port_->bits; }
+
+   private:
+    const rtl_port* port_;
+  };
+  value port(const std::string& name) const;
+  /// Evaluates after write().
+  void evaluate() { model_->eval(model_->top); }
+
+  /// An output of both sides.
+  struct output {
+    any_port* pin;
+    value rtl;
+  };
+  const std::vector<output>& outputs() const { return outputs_; }
+
+ private:
+  struct input {
+    any_port* pin;
+    value rtl;
+  };
+
+  std::shared_ptr<void> library_;
+  std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
+  std::vector<input> inputs_;
+  std::vector<output> outputs_;
+  std::uint8_t* clock_ = nullptr;  // nullptr: the unit has none
+};
+
+}  // namespace racebeam
