@@ -119,7 +119,8 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
   }
   if (other.empty()) return path.string();
   const fs::path variant = path.parent_path() / (unit + "." + joined(other, ".") + ".so");
-  if (!fs::exists(variant, error))
+  if (!fs::exists(variant, error) ||
+      fs::last_write_time(variant, error) < fs::last_write_time(path, error))
     build_rtl_plugin(unit, {(project_folder() / "rtl" / (unit + ".sv")).string()}, other,
                      variant.string());
   return variant.string();
