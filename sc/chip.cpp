@@ -2,37 +2,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/chip.h"
 
+#include <type_traits>
+
 #include "sc/chip_core.h"
+#include "sc/rtl_twin.h"
 
 namespace racebeam {
 
 namespace {
 
-std::unique_ptr<sequencer_pins> make_sequencer(const knobs& k, const scene_program* program) {
-  if (program) return std::make_unique<timeline>("u_sequencer", k, *program);
-  return std::make_unique<sequencer>("u_sequencer", k);
-}
-
-std::unique_ptr<scene_pins> make_scene(const scene_program* program) {
-  if (program) return std::make_unique<scene_rom>("u_scene", *program);
-  return std::make_unique<scene>("u_scene");
+/// The model or the RTL of a unit. `more`: what its constructor takes besides the knobs.
+template <class Unit, class... More>
+std::unique_ptr<typename Unit::pins> make(const unit_choices& choices, const char* name,
+                                          const knobs& k, const More&... more) {
+  const unit_choice& choice = choices.of(name + 2);  // without u_
+  if (choice.driver == unit_choice::Rtl)
+    return std::make_unique<rtl_twin<Unit>>(name, k, choice.plugin);
+  if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const More&...>)
+    return std::make_unique<Unit>(name, k, more...);
+  else return std::make_unique<Unit>(name, more...);
 }
 
 }  // namespace
 
-chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program)
+chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program,
+           const unit_choices& choices)
     : sc_module(name),
-      u_vga_timing("u_vga_timing", k),
-      u_sequencer(make_sequencer(k, program)),
-      u_camera_unit("u_camera_unit", k),
-      u_ray_stepper("u_ray_stepper", k),
-      u_subdivider("u_subdivider", k),
-      u_stacks("u_stacks", k),
-      u_decision_datapath("u_decision_datapath", k),
-      u_scene(make_scene(program)),
-      u_navigator("u_navigator", k),
-      u_interval_fifo("u_interval_fifo", k),
-      u_pixel_output("u_pixel_output", k),
+      u_vga_timing(make<vga_timing>(choices, "u_vga_timing", k)),
+      u_sequencer(program ? make<timeline>(choices, "u_sequencer", k, *program)
+                          : make<sequencer>(choices, "u_sequencer", k)),
+      u_camera_unit(make<camera_unit>(choices, "u_camera_unit", k)),
+      u_ray_stepper(make<ray_stepper>(choices, "u_ray_stepper", k)),
+      u_subdivider(make<subdivider>(choices, "u_subdivider", k)),
+      u_stacks(make<stacks>(choices, "u_stacks", k)),
+      u_decision_datapath(make<decision_datapath>(choices, "u_decision_datapath", k)),
+      u_scene(program ? make<scene_rom>(choices, "u_scene", k, *program)
+                      : make<scene>(choices, "u_scene", k)),
+      u_navigator(make<navigator>(choices, "u_navigator", k)),
+      u_interval_fifo(make<interval_fifo>(choices, "u_interval_fifo", k)),
+      u_pixel_output(make<pixel_output>(choices, "u_pixel_output", k)),
+      u_pwm_sound(make<pwm_sound>(choices, "u_pwm_sound", k)),
       knobs_(k),
       program_(program) {
   bind_raster_and_camera();
@@ -42,7 +51,7 @@ chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_prog
 
 void chip::bind_raster_and_camera() {
   {
-    auto& u = u_vga_timing;
+    auto& u = *u_vga_timing;
     u.clk_i(clk_i);
     u.rst_ni(rst_ni);
     u.speed_i(speed_i);
@@ -82,7 +91,7 @@ void chip::bind_raster_and_camera() {
     u.nav_reset_o(nav_reset);
   }
   {
-    auto& u = u_camera_unit;
+    auto& u = *u_camera_unit;
     u.clk_i(clk_i);
     u.rst_ni(rst_ni);
     u.line_end_i(line_end);
@@ -105,7 +114,7 @@ void chip::bind_raster_and_camera() {
     u.i2_init_o(i2_init);
   }
   {
-    auto& u = u_navigator;
+    auto& u = *u_navigator;
     u.clk_i(clk_i);
     u.rst_ni(rst_ni);
     u.nav_reset_i(nav_reset);
@@ -127,7 +136,7 @@ void chip::bind_raster_and_camera() {
 
 void chip::bind_tracer() {
   {
-    auto& u = u_ray_stepper;
+    auto& u = *u_ray_stepper;
     u.clk_i(clk_i);
     u.tracer_reset_i(tracer_reset);
     u.load_i(load);
@@ -146,7 +155,7 @@ void chip::bind_tracer() {
     u.dr2_o.bind(dr2);
   }
   {
-    auto& u = u_subdivider;
+    auto& u = *u_subdivider;
     u.clk_i(clk_i);
     u.tracer_reset_i(tracer_reset);
     u.idx_load_i(idx_load);
@@ -184,7 +193,7 @@ void chip::bind_tracer() {
     u.line_done_o(line_done);
   }
   {
-    auto& u = u_stacks;
+    auto& u = *u_stacks;
     u.clk_i(clk_i);
     u.push_en_i(push_en);
     u.tag_i(tag);
@@ -197,7 +206,7 @@ void chip::bind_tracer() {
     u.fread_o(fread);
   }
   {
-    auto& u = u_decision_datapath;
+    auto& u = *u_decision_datapath;
     u.clk_i(clk_i);
     u.tracer_reset_i(tracer_reset);
     u.nav_line_i(nav_line);
@@ -260,7 +269,7 @@ void chip::bind_tracer() {
 
 void chip::bind_output() {
   {
-    auto& u = u_interval_fifo;
+    auto& u = *u_interval_fifo;
     u.clk_i(clk_i);
     u.tracer_reset_i(tracer_reset);
     u.emit_i(emit);
@@ -273,7 +282,7 @@ void chip::bind_output() {
     u.fill_o(fill);
   }
   {
-    auto& u = u_pixel_output;
+    auto& u = *u_pixel_output;
     u.hit_face_i(hit_face);
     u.ray_signs_i(ray_signs);
     u.y_i(y);
@@ -292,7 +301,7 @@ void chip::bind_output() {
     u.uo_o(uo_o);
   }
   {
-    auto& u = u_pwm_sound;
+    auto& u = *u_pwm_sound;
     u.clk_i(clk_i);
     u.rst_ni(rst_ni);
     u.speed_i(speed_i);
@@ -330,7 +339,7 @@ chip_view chip::view() const {
 void chip::deposit(int to) {
   u_sequencer->deposit(to);
   const navigator_core place = fly_to(to, knobs_, program_);
-  u_navigator.deposit(place.position_q, place.room_q);
+  u_navigator->deposit(place.position_q, place.room_q);
 }
 
 }  // namespace racebeam

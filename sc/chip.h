@@ -22,6 +22,7 @@
 #include "sc/stacks.h"
 #include "sc/subdivider.h"
 #include "sc/timeline.h"
+#include "sc/unit_choices.h"
 #include "sc/vga_timing.h"
 
 namespace racebeam {
@@ -36,8 +37,10 @@ class chip : public sc_core::sc_module {
   out_port<8> uo_o{"uo_o"};  // {hsync, B0, G0, R0, vsync, B1, G1, R1}
   out_port<1> pwm_o{"pwm_o"};
 
-  /// The chip with its own demo, or with a program, which must outlive it and fit `k`.
-  chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program = nullptr);
+  /// The chip with its own demo, or with a program, which must outlive it and fit `k`. Throws
+  /// RtlError if RTL that `choices` names does not fit.
+  chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program = nullptr,
+       const unit_choices& choices = {});
 
   /// The wires of the present clock, settled if called at its end.
   chip_view view() const;
@@ -115,18 +118,18 @@ class chip : public sc_core::sc_module {
   wire<7> fill{"fill"};
 
   // Units
-  vga_timing u_vga_timing;
+  const std::unique_ptr<vga_timing_pins> u_vga_timing;
   const std::unique_ptr<sequencer_pins> u_sequencer;
-  camera_unit u_camera_unit;
-  ray_stepper u_ray_stepper;
-  subdivider u_subdivider;
-  stacks u_stacks;
-  decision_datapath u_decision_datapath;
+  const std::unique_ptr<camera_unit_pins> u_camera_unit;
+  const std::unique_ptr<ray_stepper_pins> u_ray_stepper;
+  const std::unique_ptr<subdivider_pins> u_subdivider;
+  const std::unique_ptr<stacks_pins> u_stacks;
+  const std::unique_ptr<decision_datapath_pins> u_decision_datapath;
   const std::unique_ptr<scene_pins> u_scene;
-  navigator u_navigator;
-  interval_fifo u_interval_fifo;
-  pixel_output u_pixel_output;
-  pwm_sound u_pwm_sound{"u_pwm_sound"};
+  const std::unique_ptr<navigator_pins> u_navigator;
+  const std::unique_ptr<interval_fifo_pins> u_interval_fifo;
+  const std::unique_ptr<pixel_output_pins> u_pixel_output;
+  const std::unique_ptr<pwm_sound_pins> u_pwm_sound;
 
  private:
   void bind_raster_and_camera();

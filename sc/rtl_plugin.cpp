@@ -112,11 +112,7 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
   fs::path path = program_folder() / "rtl" / (unit + ".so");
   const fs::path installed = program_folder() / "../lib/racebeam" / (unit + ".so");
   if (!fs::exists(path, error) && fs::exists(installed, error)) path = installed;
-  std::vector<std::string> other;
-  {
-    const auto library = load(path.string());
-    other = other_parameters(*instance_of(library, path.string()), k);
-  }
+  const std::vector<std::string> other = other_parameters(path.string(), k);
   if (other.empty()) return path.string();
   const fs::path variant = path.parent_path() / (unit + "." + joined(other, ".") + ".so");
   if (!fs::exists(variant, error) ||
@@ -124,6 +120,11 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
     build_rtl_plugin(unit, {(project_folder() / "rtl" / (unit + ".sv")).string()}, other,
                      variant.string());
   return variant.string();
+}
+
+std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k) {
+  const auto library = load(plugin);
+  return other_parameters(*instance_of(library, plugin), k);
 }
 
 void build_rtl_plugin(const std::string& unit, const std::vector<std::string>& sources,
@@ -216,6 +217,7 @@ void rtl_instance::settle() {
 }
 
 void rtl_instance::edge() {
+  if (!clock_) return;
   if (*clock_) {
     *clock_ = 0;
     evaluate();
@@ -226,6 +228,27 @@ void rtl_instance::edge() {
 
 void rtl_instance::drive() {
   for (const output& out : outputs_) out.pin->drive_wire(out.rtl.read());
+}
+
+void rtl_instance::seek(int frame) {
+  private_edges({{"rst_ni", 0}}, 1);
+  private_edges({{"rst_ni", 1}, {"frame_end_i", 1}}, frame);
+}
+
+void rtl_instance::place(const vec3& position, int room) {
+  private_edges({{"rst_ni", 1},
+                 {"nav_reset_i", 1},
+                 {"start_x_i", position[0]},
+                 {"start_y_i", position[1]},
+                 {"start_z_i", position[2]},
+                 {"start_room_i", room}},
+                1);
+}
+
+void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>& inputs,
+                                 int edges) {
+  for (const auto& [name, value] : inputs) port(name).write(value);
+  for (; edges > 0; --edges) edge();
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sc/knobs.h"
@@ -26,6 +27,10 @@ class RtlError : public std::runtime_error {
 /// ../lib/racebeam. Where `k` asks for other parameters than it was built with, one with those,
 /// built when it is asked for the first time. Throws RtlError.
 std::string rtl_plugin_path(const std::string& unit, const knobs& k);
+
+/// The parameters, "Name=value", that a plug-in was built with and `k` wants otherwise. Throws
+/// RtlError.
+std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k);
 
 /// Verilates RTL of a unit into the plug-in `out`, with parameters "Name=value". Throws RtlError
 /// with what Verilator says.
@@ -46,6 +51,11 @@ class rtl_instance {
   void edge();
   /// Drives the wires of all outputs.
   void drive();
+
+  /// The back doors of sequencer_pins and navigator_pins: the RTL gets there through its pins, in
+  /// clocks of its own; to be followed by settle().
+  void seek(int frame);
+  void place(const vec3& position, int room);
 
   /// A port of the RTL by name, to be read or, between settle() and edge(), written.
   class value {
@@ -70,12 +80,15 @@ class rtl_instance {
     value rtl;
   };
   const std::vector<output>& outputs() const { return outputs_; }
-
- private:
+  /// An input of both sides, but the clock.
   struct input {
     any_port* pin;
     value rtl;
   };
+  const std::vector<input>& inputs() const { return inputs_; }
+
+ private:
+  void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
 
   std::shared_ptr<void> library_;
   std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;

@@ -32,31 +32,17 @@ class rtl_twin : public Unit::pins {
     }
   }
 
-  // The back doors of sequencer_pins and navigator_pins: the RTL gets there through its pins, in
-  // clocks of its own.
-
+  // The back doors of sequencer_pins and navigator_pins.
   void deposit(int frame) {
-    private_edges({{"rst_ni", 0}}, 1);
-    private_edges({{"rst_ni", 1}, {"frame_end_i", 1}}, frame);
+    rtl_.seek(frame);
     comb();
   }
   void deposit(const vec3& position, int room) {
-    private_edges({{"rst_ni", 1},
-                   {"nav_reset_i", 1},
-                   {"start_x_i", position[0]},
-                   {"start_y_i", position[1]},
-                   {"start_z_i", position[2]},
-                   {"start_room_i", room}},
-                  1);
+    rtl_.place(position, room);
     comb();
   }
 
  private:
-  void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges) {
-    for (const auto& [name, value] : inputs) rtl_.port(name).write(value);
-    for (; edges > 0; --edges) rtl_.edge();
-  }
-
   template <class Pins, class = void>
   struct has_clock : std::false_type {};
   template <class Pins>

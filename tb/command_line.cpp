@@ -46,6 +46,12 @@ void add_render(CLI::App& app, RenderOptions& options) {
   render->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);
+  render
+      ->add_option("--use", options.units,
+                   "Put RTL in a unit's place: model, rtl, lockstep (both, compared), or a file; "
+                   "UNIT may be all; several with commas; repeatable")
+      ->type_name("UNIT=IMPLEMENTATION")
+      ->allow_extra_args(false);
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/command_render.h"
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <optional>
 #include <string>
@@ -10,6 +12,7 @@
 #include "tb/errors.h"
 #include "tb/golden/golden_compare.h"
 #include "tb/interrupt.h"
+#include "tb/lockstep_report.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
 #include "tb/render_golden.h"
@@ -47,6 +50,25 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
   }
 }
 
+// Says how units in lockstep went. True if one differs.
+bool report_locksteps(const RenderPlan& plan, const SignalBench& bench, int frames) {
+  std::vector<int> rendered;
+  for (int i = 0; i <= frames && i < plan.frames; ++i) rendered.push_back(plan.frame(i));
+  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  bool differs = false;
+  for (const Lockstep* unit : bench.locksteps()) {
+    tell(fmt::format("{}: {} clocks compared, {} differ", unit->unit(), unit->clocks(),
+                     unit->differences()));
+    if (!unit->first()) continue;
+    differs = true;
+    const int frame = place_of(unit->first()->clock, rendered, raster).frame;
+    tell(explain(*unit->first(), rendered, raster,
+                 fmt::format("racebeam render {} --first {} --use {}=lockstep", plan.scene, frame,
+                             unit->unit())));
+  }
+  return differs;
+}
+
 }  // namespace
 
 int command_render(const RenderOptions& options) {
@@ -54,7 +76,7 @@ int command_render(const RenderOptions& options) {
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
   RenderFiles files(plan);
-  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program()});
+  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program(), plan.units});
   StatsReport report(plan.show.name(), plan.level, plan.k);
   std::exception_ptr failure;
   try {
@@ -77,9 +99,10 @@ int command_render(const RenderOptions& options) {
   }
   if (plan.json) print(stats);
   else if (report.frames() > 1) print(table_total(report));
+  const bool differs = report_locksteps(plan, bench, report.frames());
   const bool whole = report.frames() == plan.frames;
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
-  return whole ? ExitGood : ExitInterrupted;
+  return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;
 }
 
 }  // namespace racebeam

@@ -11,6 +11,7 @@
 #include <new>
 #include <string>
 
+#include "sc/rtl_plugin.h"
 #include "tb/command_line.h"
 #include "tb/console.h"
 #include "tb/errors.h"
@@ -33,6 +34,9 @@ int run(int argc, char** argv) {
   try {
     return run_command_line(argc, argv);
   } catch (const UsageError& error) {
+    tell(error.what());
+    return ExitUsage;
+  } catch (const RtlError& error) {
     tell(error.what());
     return ExitUsage;
   } catch (const OutputError& error) {

@@ -13,6 +13,7 @@
 #include "tb/nearest.h"
 #include "tb/open_show.h"
 #include "tb/set_knob.h"
+#include "tb/use_option.h"
 
 namespace racebeam {
 
@@ -114,6 +115,7 @@ RenderPlan plan_render(const RenderOptions& options) {
   const Show show = open_show(options.scene);
   const int last = show.frames() - 1;
   RenderPlan plan{
+      options.scene,
       show,
       options.level,
       checked("--frames", options.frames, 1, show.frames(), "frames to render"),
@@ -128,12 +130,16 @@ RenderPlan plan_render(const RenderOptions& options) {
       options.stats,
       tracer_of(options.golden),
       options.golden == Compare,
+      {},
       options.crc,
       options.json,
       options.command};
   if (plan.tracer) plan.level = "golden " + options.golden;
   for (const std::string& assignment : options.assignments) set_knob(plan.k, assignment);
   if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
+  for (const std::string& choice : options.units) use_units(plan.units, choice, plan.k);
+  if (plan.tracer && !plan.units.by_unit.empty())
+    throw UsageError("--use needs the chip; leave out --golden, or --use");
   check_outputs(plan);
   check_distinct(plan);
   if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty())

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sc/knobs.h"
+#include "sc/unit_choices.h"
 #include "tb/golden/golden_picture.h"
 #include "tb/show.h"
 
@@ -19,6 +20,7 @@ struct RenderOptions {
   std::string scene, level = "signal";
   long long frames = 1, first = 0, every = 1, gif_scale = 1;
   std::vector<std::string> assignments;  ///< knob=value
+  std::vector<std::string> units;        ///< unit=implementation
   std::string folder, gif, wav, sheet, stats;
   std::string golden;  ///< a golden tracer, "compare", or empty
   bool crc = false, json = false;
@@ -27,6 +29,7 @@ struct RenderOptions {
 
 /// The same, checked: every number is in its range.
 struct RenderPlan {
+  std::string scene;  ///< as it was named
   Show show;
   std::string level;
   int frames, first, every, gif_scale;
@@ -34,6 +37,7 @@ struct RenderPlan {
   std::string folder, gif, wav, sheet, stats;
   std::optional<GoldenTracer> tracer;  ///< renders instead of the chip
   bool compare;                        ///< the chip with the golden tracers
+  unit_choices units;
   bool crc, json;
   std::vector<std::string> command;
 

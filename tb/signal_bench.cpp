@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sc/chip.h"
+#include "sc/chip_core.h"
 #include "tb/pin_probe.h"
 #include "tb/stats_collector.h"
 
@@ -58,15 +59,18 @@ struct SignalBench::Platform {
   std::unique_ptr<SoundMonitor> sound;
   PinProbe pins;
   std::unique_ptr<StatsProbe> stats;
+  std::vector<std::unique_ptr<Lockstep>> locksteps;
   int next_frame = 0;
   std::uint64_t clocks = 0;
+
+  void watch();
 
   explicit Platform(const Options& o)
       : options(o),
         period(clock_period(o.k)),
         raster(o.k.clocks_per_pixel, o.k.speed),
         clk("clk", period, 0.5, period),
-        dut("chip", o.k, o.program),
+        dut("chip", o.k, o.program, o.units),
         vga(raster, [this](const VgaFrame& f) { picture = f; }, {o.crc, o.crc}),
         sound(o.sound ? new SoundMonitor : nullptr),
         pins("pins", period, period, &vga, sound.get()),
@@ -80,6 +84,7 @@ struct SignalBench::Platform {
     pins.uo_i(uo);
     pins.pwm_i(pwm);
     if (stats) stats->clk_i(clk);
+    watch();
 
     // One edge in reset, after all wires have settled; then we stand inside the first clock of
     // frame 0, and after each frame inside the first clock of the next.
@@ -90,12 +95,32 @@ struct SignalBench::Platform {
   }
 };
 
+// Puts the RTL beside the models that are to run in lockstep.
+void SignalBench::Platform::watch() {
+  for (const std::string& unit : chip_units()) {
+    const unit_choice& choice = options.units.of(unit);
+    if (!choice.lockstep) continue;
+    for (auto* child : dut.get_child_objects())
+      if (child->basename() == "u_" + unit) {
+        locksteps.push_back(std::make_unique<Lockstep>(("lockstep_" + unit).c_str(), unit,
+                                                       dynamic_cast<sc_core::sc_module&>(*child),
+                                                       options.k, choice.plugin));
+        locksteps.back()->clk_i(clk);
+      }
+  }
+}
+
 SignalBench::SignalBench(const Options& options) : platform_(new Platform(options)) {}
 SignalBench::~SignalBench() = default;
 
 void SignalBench::seek(int frame) {
   if (frame == platform_->next_frame) return;
   platform_->dut.deposit(frame);
+  const navigator_core place = fly_to(frame, platform_->options.k, platform_->options.program);
+  for (auto& lockstep : platform_->locksteps) {
+    if (lockstep->unit() == "sequencer") lockstep->deposit_frame(frame);
+    if (lockstep->unit() == "navigator") lockstep->deposit_place(place.position_q, place.room_q);
+  }
   platform_->next_frame = frame;
 }
 
@@ -108,6 +133,12 @@ SignalBench::Frame SignalBench::render() {
   if (p.stats) frame.stats = p.stats->take();
   p.next_frame = (p.next_frame + 1) % (p.options.program ? p.options.program->frames : DemoFrames);
   return frame;
+}
+
+std::vector<const Lockstep*> SignalBench::locksteps() const {
+  std::vector<const Lockstep*> all;
+  for (const auto& lockstep : platform_->locksteps) all.push_back(lockstep.get());
+  return all;
 }
 
 std::uint64_t SignalBench::clocks() const { return platform_->clocks; }

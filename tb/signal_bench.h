@@ -7,9 +7,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "sc/scene_program.h"
+#include "sc/unit_choices.h"
 #include "tb/frame_stats.h"
+#include "tb/lockstep.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
 
@@ -26,6 +29,7 @@ class SignalBench {
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.
     const scene_program* program = nullptr;
+    unit_choices units{};  ///< models, RTL, or both in lockstep
   };
   struct Frame {
     int number;  ///< value of the frame counter while its lines are shown
@@ -33,6 +37,7 @@ class SignalBench {
     std::optional<FrameStats> stats;
   };
 
+  /// Throws RtlError.
   explicit SignalBench(const Options& options);
   ~SignalBench();
 
@@ -43,6 +48,8 @@ class SignalBench {
   Frame render();
   /// Clocks simulated so far.
   std::uint64_t clocks() const;
+  /// The units that run in lockstep, in the order of the chip.
+  std::vector<const Lockstep*> locksteps() const;
   /// What the PWM pin played so far; nullptr if not asked for.
   const SoundMonitor* sound() const;
 

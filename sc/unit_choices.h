@@ -1,0 +1,41 @@
+// What each unit of the chip is made of: its model, its RTL, or both side by side.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+struct unit_choice {
+  enum implementation { Model, Rtl };
+  implementation driver = Model;  ///< drives the unit's wires
+  bool lockstep = false;          ///< the RTL runs beside the model and is compared with it
+  std::string plugin;             ///< of the RTL; empty: the unit's own
+};
+
+/// By unit; units that are not named are models.
+struct unit_choices {
+  std::map<std::string, unit_choice> by_unit;
+
+  const unit_choice& of(const std::string& unit) const {
+    static const unit_choice model;
+    const auto at = by_unit.find(unit);
+    return at == by_unit.end() ? model : at->second;
+  }
+};
+
+/// The units of the chip, in the order of the contract. A scene file has timeline and scene_rom in
+/// the places of sequencer and scene.
+inline const std::vector<std::string>& chip_units() {
+  static const std::vector<std::string> units = {"vga_timing",        "sequencer",    "camera_unit",
+                                                 "ray_stepper",       "subdivider",   "stacks",
+                                                 "decision_datapath", "scene",        "navigator",
+                                                 "interval_fifo",     "pixel_output", "pwm_sound"};
+  return units;
+}
+
+}  // namespace racebeam

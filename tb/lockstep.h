@@ -1,0 +1,75 @@
+// lockstep: the RTL of a unit beside its model, on the same inputs, every output compared in every
+// clock. The model drives.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sc/rtl_plugin.h"
+
+namespace racebeam {
+
+/// The first output that differed, and what led there.
+struct LockstepDifference {
+  static constexpr int History = 16;  ///< clocks, the last one is that of the difference
+
+  std::string unit, port;
+  int expected = 0, got = 0;  ///< raw bits of the model and of the RTL
+  std::uint64_t clock = 0;    ///< compared clocks before it
+  /// Names of the columns, and by clock the values: inputs, then for each output the model's and
+  /// the RTL's.
+  std::vector<std::string> columns;
+  std::vector<std::vector<int>> history;
+
+  /// A table for a message.
+  std::string text() const;
+};
+
+class Lockstep : public sc_core::sc_module {
+ public:
+  in_port<1> clk_i{"clk_i"};
+
+  /// Beside `model`, a module whose ports are the unit's pins. Throws RtlError.
+  Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
+           const sc_core::sc_module& model, const knobs& k, const std::string& plugin);
+
+  const std::string& unit() const { return unit_; }
+  /// Clocks in which all outputs were compared.
+  std::uint64_t clocks() const { return clocks_; }
+  /// Clocks in which some output differed.
+  std::uint64_t differences() const { return differences_; }
+  const std::optional<LockstepDifference>& first() const { return first_; }
+
+  /// The back doors, as the model's.
+  void deposit_frame(int frame) { rtl_.seek(frame); }
+  void deposit_place(const vec3& position, int room) { rtl_.place(position, room); }
+  /// Test of the comparison itself: bit `bit` of an output of the RTL is taken inverted in the
+  /// compared clock `clock`.
+  void invert(const std::string& port, int bit, std::uint64_t clock);
+
+ private:
+  void compare();
+  void remember();
+  LockstepDifference difference(std::size_t output, int expected, int got) const;
+
+  struct Inversion {
+    std::size_t output;
+    int bit;
+    std::uint64_t clock;
+  };
+
+  const std::string unit_;
+  rtl_instance rtl_;
+  std::array<std::vector<int>, LockstepDifference::History> history_;
+  std::uint64_t clocks_ = 0, differences_ = 0;
+  std::optional<LockstepDifference> first_;
+  std::optional<Inversion> inversion_;
+};
+
+}  // namespace racebeam
