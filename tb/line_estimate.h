@@ -10,7 +10,8 @@
 namespace racebeam {
 
 struct LineEstimate {
-  static constexpr int Budget = 1530;  ///< clocks from the tracer's start to the end of the line
+  /// Clocks from the tracer's start, which varies by some 15, to the end of the line.
+  static constexpr int Budget = 1530;
 
   int clocks = 0;     ///< that the tracer is busy, if the beam waits for it
   int intervals = 0;  ///< that the tracer cuts the line into
