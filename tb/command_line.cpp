@@ -85,7 +85,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
 }
 
 void add_scene(CLI::App& app, SceneOptions& options) {
-  CLI::App* scene = app.add_subcommand("scene", "Check, show, draw and start scene files");
+  CLI::App* scene = app.add_subcommand("scene", "Check, show, draw, start and judge scene files");
   scene->require_subcommand(1);
   const auto add = [&](const char* name, const char* help) {
     CLI::App* command = scene->add_subcommand(name, help);
@@ -101,6 +101,19 @@ void add_scene(CLI::App& app, SceneOptions& options) {
       ->type_name("FILE.png")
       ->check(NotEmpty);
   add("new", "Write a scene to start from");
+  CLI::App* notes = scene->add_subcommand(
+      "notes", "Counters of some frames, and why the chip does not show the ideal pictures");
+  notes->add_option("scene", options.scenes, "Scene files, or demo")
+      ->required()
+      ->type_name("SCENE");
+  notes->add_option("-o,--output", options.notes, "Markdown")
+      ->required()
+      ->type_name("FILE.md")
+      ->check(NotEmpty);
+  notes->add_option("--frames", options.frames, "Frames of each scene, spread evenly over it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
 }
 
 int run_scene(const CLI::App& app, const SceneOptions& options) {
@@ -108,6 +121,7 @@ int run_scene(const CLI::App& app, const SceneOptions& options) {
   if (command == "check") return command_scene_check(options);
   if (command == "show") return command_scene_show(options);
   if (command == "plan") return command_scene_plan(options);
+  if (command == "notes") return command_scene_notes(options);
   return command_scene_new(options);
 }
 

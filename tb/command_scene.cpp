@@ -10,9 +10,9 @@
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/image_files.h"
+#include "tb/line_estimate.h"
 #include "tb/open_show.h"
 #include "tb/output_file.h"
-#include "tb/scene/line_estimate.h"
 #include "tb/scene/plan_picture.h"
 #include "tb/scene/scene_check.h"
 #include "tb/scene/scene_sight.h"
@@ -32,9 +32,8 @@ nlohmann::ordered_json timeline(const SceneFile& scene) {
 }
 
 nlohmann::ordered_json summary(const SceneFile& scene) {
-  const CameraPath path = fly(scene);
   const SceneWidths widths = scene_widths(scene);
-  const LineEstimate line = estimate_worst_line(scene, path);
+  const LineEstimate line = estimate_worst_line(Show(scene, ""));
   return {{"schema", "racebeam-scene"},
           {"version", 1},
           {"name", scene.name},

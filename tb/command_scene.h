@@ -1,17 +1,21 @@
-// `racebeam scene`: check, show, draw and start scene files.
+// `racebeam scene`: check, show, draw, start and judge scene files.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace racebeam {
 
 struct SceneOptions {
-  std::string file;     ///< the scene
-  std::string picture;  ///< of `scene plan`
-  bool json = false;    ///< of `scene show`
+  std::string file;                 ///< the scene
+  std::string picture;              ///< of `scene plan`
+  bool json = false;                ///< of `scene show`
+  std::vector<std::string> scenes;  ///< of `scene notes`; may be "demo"
+  std::string notes;                ///< file of `scene notes`
+  int frames = 12;                  ///< of each scene, for `scene notes`
 };
 
 /// "good: N rooms, M portals". This and the next two throw UsageError if the scene has faults.
@@ -22,5 +26,9 @@ int command_scene_show(const SceneOptions& options);
 int command_scene_plan(const SceneOptions& options);
 /// Writes a scene to start from. Throws UsageError if the file exists, OutputError.
 int command_scene_new(const SceneOptions& options);
+/// Writes counters of some frames of each scene and why they are not the ideal pictures, as
+/// Markdown; ExitDifference if some pixel remains unexplained. Throws UsageError if a scene has
+/// faults, OutputError.
+int command_scene_notes(const SceneOptions& options);
 
 }  // namespace racebeam

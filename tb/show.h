@@ -29,6 +29,9 @@ class Show {
   int frames() const { return frames_; }
   /// The tables for the chip; nullptr: the built-in demo. They live as long as some copy of this.
   const scene_program* program() const { return program_.get(); }
+  /// What the tables were made from, and its camera's way; nullptr: the built-in demo.
+  const SceneFile* scene() const { return scene_.get(); }
+  const CameraPath* path() const { return path_.get(); }
   /// The knobs of the taped-out chip, with the widths that the scene asks for.
   knobs standard_knobs() const;
   /// Knobs that the show cannot be run with: what is wrong and what to do; empty if nothing.

@@ -4,9 +4,10 @@
 
 #include <string>
 
+#include "tb/core_bench.h"
 #include "tb/set_knob.h"
 #include "tb/signal_bench.h"
-#include "tests/core_bench.h"
+#include "tests/expect_stats.h"
 
 namespace racebeam {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sc/chip.h"
+#include "tb/core_bench.h"
 #include "tb/pin_probe.h"
-#include "tests/core_bench.h"
 
 namespace racebeam {
 namespace {

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "tb/core_bench.h"
 #include "tb/signal_bench.h"
-#include "tests/core_bench.h"
+#include "tests/expect_stats.h"
 
 namespace racebeam {
 namespace {

@@ -1,9 +1,12 @@
-// racebeam scene: check, show, plan, new.
+// racebeam scene: check, show, plan, new, notes.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
 
 #include "tests/program.h"
 
@@ -12,6 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
+namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 class CliSceneTest : public testing::Test {
@@ -94,6 +98,80 @@ TEST_F(CliSceneTest, PlanLeavesNoHalfPicture) {
   EXPECT_EQ(folder.files(), 1);
 }
 
+TEST_F(CliSceneTest, NotesJudgeScenesAndTheDemo) {
+  write("a.toml", "frames = 60\nplan.storeys = \"@.\"\n[camera]\nvelocity = [3, 0, 0]\n");
+  fs::create_directory(folder / "sub");
+  write("sub/b|c.toml", "name = \"b|c #\"\nplan.storeys = \"@\"\n");
+  const Words words = {"scene", "notes", "a.toml", "sub/b|c.toml", "demo", "--frames", "2"};
+  const auto notes = [&](const std::string& file) {
+    Words all = words;
+    all.insert(all.end(), {"-o", file});
+    Program program(folder.path(), all);
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    EXPECT_EQ(program.out(), "");
+    EXPECT_EQ(program.err(), "racebeam: wrote " + file + ": 6 frames of 3 scenes\n");
+    return read_file(folder / file);
+  };
+  const std::string text = notes("n.md");
+  EXPECT_THAT(text, StartsWith("<!-- made by `racebeam scene notes`, do not edit -->\n"));
+  for (const std::string& part :
+       {std::string("racebeam " RACEBEAM_VERSION
+                    ": `racebeam scene notes a.toml b|c.toml demo --frames 2`"),
+        std::string(
+            "\n## a\n\n2 rooms, 1 portals, at most 1 in a face; 60 frames, 1.0 s; the camera "
+            "passes portals: 1 east, 0 west, 0 down, 0 up, 0 north, 0 south; 11 corner bits; "
+            "deepest view 1 portals.\n\nFrames 15, 45.\n"),
+        std::string("\n## b\\|c \\#\n"), std::string("\n## demo\n\nThe built-in demo"),
+        std::string("Frames 3199 (ray pattern), 9599.\n"), std::string("| `multiplier_cut` | "),
+        std::string("limits switched off: 0 pixels differ from `trace4`.\n")})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_EQ(notes("sub/again.md"), text) << "the same input gives the same file";
+}
+
+// The counters of the notes are those of the wired chip.
+TEST_F(CliSceneTest, NotesCountWhatRenderCounts) {
+  Program chip(folder.path(), {"render", "demo", "--first", "6399", "--json", "--golden", "compare",
+                               "--stats", "s.json"});
+  const nlohmann::json total = chip.json()["total"];
+  Program program(folder.path(), {"scene", "notes", "demo", "--frames", "1", "-o", "n.md"});
+  EXPECT_EQ(program.wait(), 0) << program.err();
+  const std::string text = read_file(folder / "n.md");
+  const auto count = [](const nlohmann::json& value) { return std::to_string(value.get<int>()); };
+  for (const char* counter : {"restarts", "starved_pixels", "give_ups"})
+    EXPECT_THAT(text, HasSubstr(" in a frame | " + count(total[counter]) + ".0 | " +
+                                count(total[counter]) + " | "));
+  EXPECT_THAT(text, HasSubstr(" | " + count(total["busy_clocks"]["max"]) + " | frame 6399, y " +
+                              count(total["busy_clocks"]["worst_line"])));
+  const nlohmann::json& golden = total["golden"];
+  for (const auto& [cause, pixels] : golden["causes"].items())
+    EXPECT_THAT(text, HasSubstr("| `" + cause + "` | " + count(pixels) + " | "));
+  for (const auto& [tracer, pixels] : golden["differing_pixels"].items())
+    EXPECT_THAT(text, HasSubstr("| **chip, `" + tracer + "`** | " + count(pixels) + " | "));
+}
+
+TEST_F(CliSceneTest, NotesOfAFaultySceneAreNotWritten) {
+  write("a.toml", "frames = 0\nplan.storeys = \"@\"\n");
+  Program faulty(folder.path(), {"scene", "notes", "demo", "a.toml", "-o", "n.md"});
+  EXPECT_EQ(faulty.wait(), 2);
+  EXPECT_THAT(faulty.err(), HasSubstr("a.toml:1:10: 'frames' is 0"));
+  Program lost(folder.path(), {"scene", "notes", "demo", "-o", "no/n.md"});
+  EXPECT_EQ(lost.wait(), 2);
+  EXPECT_THAT(lost.err(), HasSubstr("no/n.md"));
+  EXPECT_EQ(folder.files(), 1);
+}
+
+TEST_F(CliSceneTest, InterruptedNotesAreNotWritten) {
+  Program::Setting terminal;
+  terminal.terminal = true;
+  Program program(folder.path(), {"scene", "notes", "demo", "-o", "n.md"}, terminal);
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_THAT(program.err(), HasSubstr("/12 frames"));
+  EXPECT_THAT(program.err(), HasSubstr("stopped early; nothing is written"));
+  EXPECT_EQ(folder.files(), 0);
+}
+
 TEST_F(CliSceneTest, UnknownWordsAreRefusedWithTheNearest) {
   const auto expect = [&](const Words& words, const std::string& part) {
     Program program(folder.path(), words);
@@ -105,6 +183,10 @@ TEST_F(CliSceneTest, UnknownWordsAreRefusedWithTheNearest) {
   expect({"scene", "check"}, "file is required; `racebeam scene check --help`");
   expect({"scene", "show", "a", "--jsn"}, "unknown option '--jsn'; did you mean '--json'?");
   expect({"scene", "plan", "a"}, "--output is required");
+  expect({"scene", "notes", "demo"}, "--output is required");
+  expect({"scene", "notes", "-o", "n.md"}, "scene is required");
+  expect({"scene", "notes", "demmo", "-o", "n.md"}, "did you mean 'demo'?");
+  expect({"scene", "notes", "demo", "-o", "n.md", "--frames", "0"}, "--frames");
 }
 
 }  // namespace

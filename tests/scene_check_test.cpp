@@ -8,7 +8,6 @@
 #include <random>
 
 #include "tb/scene/camera_path.h"
-#include "tb/scene/line_estimate.h"
 #include "tb/scene/scene_sight.h"
 #include "tests/scene_text.h"
 
@@ -173,17 +172,6 @@ TEST(SceneCheckTest, OverlapsAreThoseOfAllPairs) {
     check_rooms(scene, faults);
     EXPECT_EQ(faults.count(), expected) << run;
   }
-}
-
-TEST(SceneCheckTest, TheEstimateCountsWhatALineShows) {
-  const SceneFile closed = good_scene("plan.storeys = \"@\"\n");
-  const LineEstimate box = estimate_worst_line(closed, fly(closed));
-  EXPECT_GE(box.intervals, 1);
-  EXPECT_LE(box.intervals, 5) << "a box shows at most five faces";
-  EXPECT_LT(box.clocks, 200);
-  const SceneFile open =
-      good_scene("[plan]\nstoreys = \"\"\"\n@.....\n.#.#.#\n......\n.#.#.#\n......\n\"\"\"\n");
-  EXPECT_GT(estimate_worst_line(open, fly(open)).clocks, box.clocks);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr int MaxStack = 64, MaxFifo = 64, MaxClocks = 8, WholeFactor = 16;
 const std::vector<Limit> Limits = {
     {{"give_up", "a starved beam takes short intervals as they are"},
      [](knobs& k) { k.hurry_threshold = -1; }},
-    {{"starved", "the beam overtakes the tracer"},
+    {{"starved", "the beam overtakes the tracer; a late interval is dark from end to end"},
      [](knobs& k) { k.clocks_per_pixel = MaxClocks, k.fifo_entries = MaxFifo, k.speed = 0; }},
     {{"stack", "the interval stack overflows"},
      [](knobs& k) { k.interval_stack_depth = MaxStack; }},

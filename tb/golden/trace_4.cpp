@@ -3,6 +3,7 @@
 #include "tb/golden/trace_4.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace racebeam {
 
@@ -24,31 +25,63 @@ struct Node {
   bool wall = false;    ///< nothing to ask any more: a wall across `face` is hit
 };
 
+/// An interval that waits: its left end follows from what is traced before it.
+struct Waiting {
+  Node node;
+  int last;
+};
+
+constexpr int NoLimit = LastPixel + 1;
+
 class LineTracer {
  public:
   LineTracer(const GoldenWorld& world, const GoldenRays& rays, int y)
       : world_(world), rays_(rays), offset_z_(world.offset_z(y)) {}
 
-  /// Decides for pixels i1..i2 from `node` down.
-  void trace(Node node, int i1, int i2) {
-    while (!node.wall) {
-      const int decision = decide(node, i1);
-      if (i1 == i2 || decide(node, i2) == decision) {
-        node = next(node, decision);
-        continue;
-      }
-      const int last = golden_switch(i1, i2, world_.bisection,
-                                     [&](int pixel) { return decide(node, pixel) == decision; });
-      trace(next(node, decision), i1, last);
-      i1 = last + 1;
+  /// The whole line, with a stack of so many entries.
+  void trace(int entries) {
+    Waiting now{{}, LastPixel};
+    for (int first = 0;;) {
+      descend(now, first, entries);
+      std::fill(hits.begin() + first, hits.begin() + now.last + 1,
+                GoldenHit{now.node.face, (now.node.signs >> now.node.face & 1) != 0});
+      ++work.intervals;
+      first = now.last + 1;
+      if (first > LastPixel) return;
+      return_to_waiting(now);
     }
-    std::fill(hits.begin() + i1, hits.begin() + i2 + 1,
-              GoldenHit{node.face, (node.signs >> node.face & 1) != 0});
   }
 
   GoldenHits hits;
+  TraceWork work;
 
  private:
+  /// From now.node down to a wall. The right part of what is cut off waits.
+  void descend(Waiting& now, int first, int entries) {
+    while (!now.node.wall) {
+      Node& node = now.node;
+      ++work.questions;
+      const int decision = decide(node, first);
+      if (decide(node, now.last) != decision) {
+        if (static_cast<int>(stack_.size()) == entries) stack_.erase(stack_.begin());
+        stack_.push_back(now);
+        now.last = golden_switch(first, now.last, world_.bisection, [&](int pixel) {
+          ++work.probes;
+          return decide(node, pixel) == decision;
+        });
+      }
+      node = next(node, decision);
+    }
+  }
+
+  /// To the interval that waits for the shortest time, or to the top of the tree.
+  void return_to_waiting(Waiting& now) {
+    now = Waiting{{}, LastPixel};
+    if (stack_.empty()) return;
+    now = stack_.back();
+    stack_.pop_back();
+  }
+
   /// The corner coordinate that the node's question is about.
   int corner(const Node& node, int axis) const {
     const GoldenRoom& room = world_.rooms[node.room];
@@ -124,14 +157,21 @@ class LineTracer {
   const GoldenWorld& world_;
   const GoldenRays& rays_;
   const int offset_z_;
+  std::vector<Waiting> stack_;
 };
 
 }  // namespace
 
 GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y) {
   LineTracer tracer(world, rays, y);
-  tracer.trace({}, 0, LastPixel);
+  tracer.trace(NoLimit);
   return tracer.hits;
+}
+
+TraceWork trace_4_work(const GoldenWorld& world, const GoldenRays& rays, int y, int entries) {
+  LineTracer tracer(world, rays, y);
+  tracer.trace(entries);
+  return tracer.work;
 }
 
 }  // namespace racebeam

@@ -17,6 +17,16 @@ namespace racebeam {
 /// All pixels of line `y`.
 GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y);
 
+/// How often the tracer does what costs the chip clocks.
+struct TraceWork {
+  int questions = 0;  ///< asked at both ends of an interval
+  int probes = 0;     ///< asked at one pixel between, to bisect
+  int intervals = 0;  ///< emitted
+};
+
+/// The work of line `y` if the stack holds `entries` intervals and then loses the oldest.
+TraceWork trace_4_work(const GoldenWorld& world, const GoldenRays& rays, int y, int entries);
+
 /// The pixel in left..right-1 after which a decision is taken to switch. `same_as_left` is asked
 /// for pixels between; the ends are known to differ. `rule` is a bisection_rule (contract 9.4 D,
 /// E).

@@ -85,6 +85,7 @@ CameraPath fly(const SceneFile& scene) {
         path.end = PathEnd{frame, point.room, face};
         return path;
       }
+      if (face >= 0) ++path.crossings[face];
       path.points.push_back(point);
       measure(scene, point, path);
       if (flying)

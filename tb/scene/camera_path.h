@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct CameraPath {
   int largest = 0;                ///< distance from a room's centre along any axis
   /// The most that the chip's adder holds on the way: that distance and the room's half size.
   int reach = 0;
-  int reach_room = 0;  ///< the room of it
+  int reach_room = 0;                      ///< the room of it
+  std::array<int, FaceCount> crossings{};  ///< portals passed, by the face left through
 };
 
 /// Flies scene.frames frames. The scene has rooms and shots.
