@@ -13,6 +13,7 @@
 #include "tb/command_knobs.h"
 #include "tb/command_render.h"
 #include "tb/command_scene.h"
+#include "tb/command_verify.h"
 #include "tb/console.h"
 #include "tb/nearest.h"
 #include "tb/version.h"
@@ -82,6 +83,22 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   bench->add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+void add_verify(CLI::App& app, VerifyOptions& options) {
+  CLI::App* verify = app.add_subcommand("verify", "Compare model and RTL of units in every clock");
+  verify->add_option("unit", options.units, "UNIT, UNIT=FILE.sv, or all")->type_name("UNIT");
+  verify->add_option("--scene", options.scene, "demo, or a scene file")->capture_default_str();
+  verify->add_option("--frames", options.frames, "Frames of the chip, spread over the scene")
+      ->type_name("N")
+      ->capture_default_str();
+  verify->add_option("--random", options.random, "Clocks of random traffic for each unit")
+      ->type_name("N")
+      ->capture_default_str();
+  verify->add_option("--seed", options.seed, "Of the random traffic")
+      ->type_name("N")
+      ->capture_default_str();
+  verify->add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 
 void add_scene(CLI::App& app, SceneOptions& options) {
@@ -167,12 +184,14 @@ int run_command_line(int argc, char** argv) {
       "missing on the machine, 130 interrupted.");
   RenderOptions render;
   BenchOptions bench;
+  VerifyOptions verify;
   SceneOptions scene;
   bool json = false;
   add_render(app, render);
   app.add_subcommand("knobs", "List what --set may change")
       ->add_flag("--json", json, "JSON on stdout instead of the table");
   add_bench(app, bench);
+  add_verify(app, verify);
   add_scene(app, scene);
   app.add_subcommand("doctor", "Check the machine and list versions")
       ->add_flag("--json", json, "JSON on stdout instead of the text");
@@ -187,6 +206,7 @@ int run_command_line(int argc, char** argv) {
   }
   if (app.got_subcommand("knobs")) return command_knobs(json);
   if (app.got_subcommand("doctor")) return command_doctor(json);
+  if (app.got_subcommand("verify")) return command_verify(verify);
   if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("scene")) return run_scene(*app.get_subcommand("scene"), scene);
   render.command.assign(argv, argv + argc);

@@ -71,6 +71,7 @@ void Lockstep::invert(const std::string& port, int bit, std::uint64_t clock) {
   const auto& outputs = rtl_.outputs();
   const auto at = std::find_if(outputs.begin(), outputs.end(),
                                [&](const auto& output) { return output.rtl.name() == port; });
+  if (at == outputs.end()) throw RtlError("the RTL has no output " + port);
   inversion_ = {static_cast<std::size_t>(at - outputs.begin()), bit, clock};
 }
 

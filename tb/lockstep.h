@@ -50,7 +50,7 @@ class Lockstep : public sc_core::sc_module {
   void deposit_frame(int frame) { rtl_.seek(frame); }
   void deposit_place(const vec3& position, int room) { rtl_.place(position, room); }
   /// Test of the comparison itself: bit `bit` of an output of the RTL is taken inverted in the
-  /// compared clock `clock`.
+  /// compared clock `clock`. Throws RtlError if there is no such output.
   void invert(const std::string& port, int bit, std::uint64_t clock);
 
  private:

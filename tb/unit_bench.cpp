@@ -51,7 +51,8 @@ void UnitBench::add_any(sc_core::sc_object* port, std::integer_sequence<int, Les
   (add<Less + 1>(port) || ...);
 }
 
-UnitBench::UnitBench(sc_core::sc_module& unit) {
+UnitBench::UnitBench(sc_core::sc_module& unit, in_port<1>* beside) {
+  if (beside) beside->bind(clk_);
   for (auto* child : unit.get_child_objects())
     add_any(child, std::make_integer_sequence<int, WidestPort>());
   sc_core::sc_start(sc_core::sc_time(1, sc_core::SC_PS));
@@ -92,13 +93,16 @@ void UnitBench::shake(std::minstd_rand& random) {
   }
 }
 
-void UnitBench::stir(unsigned seed) {
+void UnitBench::between_edges(std::function<void()> change) {
   sc_core::sc_spawn_options options;
   options.spawn_method();
   options.dont_initialize();
   options.set_sensitivity(&clk_.negedge_event());
-  const auto change = [this, random = std::minstd_rand(seed)]() mutable { shake(random); };
-  sc_core::sc_spawn(change, "stir", &options);
+  sc_core::sc_spawn(std::move(change), "change", &options);
+}
+
+void UnitBench::stir(unsigned seed) {
+  between_edges([this, random = std::minstd_rand(seed)]() mutable { shake(random); });
 }
 
 }  // namespace racebeam

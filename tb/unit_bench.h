@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <random>
@@ -37,8 +38,9 @@ class UnitBench {
   };
 
   /// Binds all ports of `unit`; ports named clk_i get the clock. Reset pins start at 0 (active).
-  /// Only one bench and nothing else of SystemC may exist in the process.
-  explicit UnitBench(sc_core::sc_module& unit);
+  /// `beside` gets the clock too: of a checker. Only one bench and nothing else of SystemC may
+  /// exist in the process.
+  explicit UnitBench(sc_core::sc_module& unit, in_port<1>* beside = nullptr);
 
   /// The pin of a port. Throws std::out_of_range naming the port.
   Pin& operator[](const std::string& port);
@@ -57,6 +59,8 @@ class UnitBench {
   /// New random values on the inputs: reset pins are active once in 64 times, other inputs change
   /// once in four.
   void shake(std::minstd_rand& random);
+  /// From now on calls `change` between the edges, where it may drive inputs.
+  void between_edges(std::function<void()> change);
   /// From now on shakes between the edges.
   void stir(unsigned seed);
 

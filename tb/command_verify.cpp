@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/command_verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "tb/console.h"
+#include "tb/errors.h"
+#include "tb/forked.h"
+#include "tb/interrupt.h"
+#include "tb/lockstep_report.h"
+#include "tb/open_show.h"
+#include "tb/progress.h"
+#include "tb/signal_bench.h"
+#include "tb/use_option.h"
+#include "tb/verify_unit.h"
+
+namespace racebeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* Row = "{:<18} {:<7} {:>12} {:>12} {:>10}\n";
+
+unit_choices choices_of(const VerifyOptions& options, const knobs& k) {
+  unit_choices choices;
+  const auto lockstep = [](const std::string& plugin) {
+    return unit_choice{unit_choice::Model, true, plugin};
+  };
+  std::vector<std::string> units = options.units;
+  if (units.empty()) units.push_back("all");
+  for (const std::string& word : units) {
+    const auto equals = word.find('=');
+    const std::string unit = word.substr(0, equals);
+    if (word == "all") {
+      for (const std::string& each : chip_units()) choices.by_unit[each] = lockstep("");
+      continue;
+    }
+    check_unit(unit);
+    choices.by_unit[unit] =
+        lockstep(equals == std::string::npos ? "" : user_plugin(unit, word.substr(equals + 1), k));
+  }
+  return choices;
+}
+
+/// All units at once, in the chip, over frames spread over the show.
+std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
+                                        const unit_choices& choices) {
+  const knobs k = show.standard_knobs();
+  const auto start = std::chrono::steady_clock::now();
+  SignalBench bench({k, false, false, false, show.program(), choices});
+  std::vector<int> frames;
+  Progress progress(static_cast<int>(options.frames));
+  for (int i = 0; i < options.frames && !interrupted(); ++i) {
+    frames.push_back(static_cast<int>(i * show.frames() / options.frames));
+    bench.seek(frames.back());
+    bench.render();
+    progress.draw(i + 1, bench.clocks());
+  }
+  progress.clear();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<UnitVerdict> verdicts;
+  for (const Lockstep* unit : bench.locksteps()) {
+    UnitVerdict verdict{unit->unit(), "chip", unit->clocks(), unit->differences(), seconds, ""};
+    if (unit->first()) {
+      const Raster raster(k.clocks_per_pixel, k.speed);
+      const int frame = place_of(unit->first()->clock, frames, raster).frame;
+      verdict.first = explain(*unit->first(), frames, raster,
+                              fmt::format("racebeam render {} --first {} --use {}=lockstep",
+                                          options.scene, frame, unit->unit()));
+    }
+    verdicts.push_back(verdict);
+  }
+  return verdicts;
+}
+
+UnitVerdict verify_at_random(const VerifyOptions& options, const std::string& unit,
+                             const std::string& plugin) {
+  UnitVerdict verdict = verify_unit(unit, plugin, static_cast<std::uint64_t>(options.random),
+                                    static_cast<unsigned>(options.seed));
+  if (!verdict.first.empty())
+    verdict.first = fmt::format("{}\nrepeat: racebeam verify {} --frames 0 --random {} --seed {}\n",
+                                verdict.first, unit, options.random, options.seed);
+  return verdict;
+}
+
+Json to_json(const UnitVerdict& v) {
+  return {{"unit", v.unit},       {"traffic", v.traffic},         {"clocks", v.clocks},
+          {"seconds", v.seconds}, {"differences", v.differences}, {"first", v.first}};
+}
+
+UnitVerdict from_json(const Json& json) {
+  return {json["unit"],        json["traffic"], json["clocks"],
+          json["differences"], json["seconds"], json["first"]};
+}
+
+std::string row(const UnitVerdict& v) {
+  const double speed = v.seconds > 0 ? static_cast<double>(v.clocks) / v.seconds / 1e6 : 0;
+  return fmt::format(Row, v.unit, v.traffic, v.clocks, v.differences, fmt::format("{:.2f}", speed));
+}
+
+}  // namespace
+
+int command_verify(const VerifyOptions& options) {
+  const Show show = open_show(options.scene);
+  if (options.frames < 0 || options.frames > show.frames())
+    throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
+                                 show.frames()));
+  const unit_choices choices = choices_of(options, show.standard_knobs());
+  catch_interrupts();
+  std::vector<UnitVerdict> verdicts;
+  // SystemC elaborates once in a process: each unit on random traffic has a process of its own.
+  for (const auto& [unit, choice] : choices.by_unit) {
+    if (options.random <= 0 || interrupted()) break;
+    const std::string text = forked([&, name = unit, plugin = choice.plugin] {
+      try {
+        return to_json(verify_at_random(options, name, plugin)).dump();
+      } catch (const RtlError& error) {
+        return Json{{"refused", error.what()}}.dump();
+      }
+    });
+    const Json answer = Json::parse(text);
+    if (answer.contains("refused")) throw RtlError(answer["refused"]);
+    verdicts.push_back(from_json(answer));
+  }
+  if (options.frames > 0 && !interrupted())
+    for (const UnitVerdict& verdict : verify_in_chip(options, show, choices))
+      verdicts.push_back(verdict);
+
+  bool differs = false;
+  Json json = Json::array();
+  for (const UnitVerdict& verdict : verdicts) {
+    differs |= verdict.differences > 0;
+    json.push_back(to_json(verdict));
+  }
+  if (options.json) {
+    print(
+        Json{{"schema", "racebeam-verify"}, {"version", 1}, {"seed", options.seed}, {"units", json}}
+            .dump(2) +
+        "\n");
+  } else {
+    print(fmt::format(Row, "unit", "traffic", "clocks", "differ", "M clocks/s"));
+    for (const UnitVerdict& verdict : verdicts) print(row(verdict));
+  }
+  for (const UnitVerdict& verdict : verdicts)
+    if (!verdict.first.empty()) tell(verdict.unit + ", " + verdict.traffic + ":\n" + verdict.first);
+  if (interrupted()) return ExitInterrupted;
+  return differs ? ExitDifference : ExitGood;
+}
+
+}  // namespace racebeam

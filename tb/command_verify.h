@@ -1,0 +1,25 @@
+// `racebeam verify`: model and RTL in lockstep, on the chip's traffic and on random traffic.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+struct VerifyOptions {
+  std::vector<std::string> units;  ///< UNIT, UNIT=FILE or all; none: all
+  std::string scene = "demo";
+  long long frames = 60;      ///< of the scene, evenly spread; 0: no chip traffic
+  long long random = 100000;  ///< clocks of random traffic for each unit
+  long long seed = 1;
+  bool json = false;
+};
+
+/// Prints a table of units. Returns ExitDifference if one differs. Throws UsageError, RtlError,
+/// MissingTool.
+int command_verify(const VerifyOptions& options);
+
+}  // namespace racebeam

@@ -1,0 +1,16 @@
+// Work in a process of its own, whose answer is a text.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace racebeam {
+
+/// Runs `work` in a child and returns what it returns. An exception there is thrown here as a
+/// std::runtime_error of the same text.
+std::string forked(const std::function<std::string()>& work);
+
+}  // namespace racebeam

@@ -1,0 +1,84 @@
+// `racebeam verify` and `render --use` through the command line, with good and bad RTL.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "tests/program.h"
+
+namespace racebeam {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string Rtl = RACEBEAM_SOURCE_DIR "/rtl/stacks.sv";
+
+class CliVerifyTest : public testing::Test {
+ protected:
+  /// A copy of the RTL of stacks with one place changed.
+  std::string changed(const std::string& from, const std::string& to) {
+    std::string text = read_file(Rtl);
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    std::ofstream(folder / "mine.sv") << text.replace(at, from.size(), to);
+    return "stacks=mine.sv";
+  }
+  void expect_refused(const std::string& unit, const std::vector<std::string>& said) {
+    Program run(folder.path(), {"verify", unit, "--frames", "0"});
+    EXPECT_EQ(run.wait(), 2);
+    for (const std::string& words : said) EXPECT_THAT(run.err(), HasSubstr(words));
+  }
+
+  ScratchFolder folder;
+};
+
+TEST_F(CliVerifyTest, FindsNoDifferenceInTheUnitsOwnRtl) {
+  Program run(folder.path(), {"verify", "stacks", "--frames", "1", "--random", "20000", "--json"});
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  const auto json = nlohmann::json::parse(run.out());
+  ASSERT_EQ(json["units"].size(), 2u);
+  for (const auto& unit : json["units"]) EXPECT_EQ(unit["differences"], 0);
+  EXPECT_EQ(json["units"][0]["clocks"], 20000);
+  EXPECT_EQ(json["units"][1]["clocks"], 840001);
+}
+
+TEST_F(CliVerifyTest, FindsTheFaultOfChangedRtlAndShowsWhatLedThere) {
+  const std::string mine = changed("(n + 1) % IntervalStackDepth", "n % IntervalStackDepth");
+  Program run(folder.path(), {"verify", mine, "--frames", "1", "--random", "1000"});
+  EXPECT_EQ(run.wait(), 1);
+  EXPECT_THAT(run.err(), HasSubstr("top_i2_o rtl"));
+  EXPECT_THAT(run.err(), HasSubstr("in frame 0, line -2"));
+  EXPECT_THAT(run.err(), HasSubstr("repeat: racebeam verify stacks"));
+}
+
+TEST_F(CliVerifyTest, RefusesRtlThatDoesNotFit) {
+  expect_refused(changed("input  wire logic push_en_i,", ""), {"mine.sv", "push_en_i"});
+  expect_refused(changed("[racebeam_pkg::PixelBits-1:0] i2_i", "[7:0] i2_i"),
+                 {"port i2_i is 8 bits wide instead of 10"});
+  expect_refused(changed("input  wire logic fwrite_i",
+                         "input wire logic spare_i,\n input wire logic fwrite_i"),
+                 {"port spare_i is not a port of the unit", "sc/stacks.h"});
+  expect_refused(changed("endmodule", "endmodul"), {"cannot be verilated", "syntax error"});
+  expect_refused("stacks=none.sv", {"there is no file 'none.sv'"});
+  expect_refused("stakcs", {"unknown unit 'stakcs'; did you mean 'stacks'?"});
+}
+
+TEST_F(CliVerifyTest, RtlInTheChipGivesThePinsOfTheModel) {
+  const auto crc_with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"render", "demo",  "--first", "7223",
+                                          "--json", "--crc", "--stats", "s.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Program run(folder.path(), arguments);
+    EXPECT_EQ(run.wait(), 0) << run.err();
+    return nlohmann::json::parse(run.out())["frames"][0]["pins_crc32"];
+  };
+  const auto model = crc_with({});
+  EXPECT_EQ(crc_with({"--use", "stacks=rtl"}), model);
+  EXPECT_EQ(crc_with({"--use", "stacks=lockstep"}), model);
+  EXPECT_EQ(crc_with({"--use", "stacks=" + Rtl}), model);
+}
+
+}  // namespace
+}  // namespace racebeam
