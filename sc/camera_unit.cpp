@@ -59,7 +59,7 @@ camera_unit_core::outputs camera_unit_core::comb(const inputs& in, const knobs& 
 
   if (phase_q != CameraProduct && !presetting) {
     o.load = phase_q == CameraLoad;
-    o.load_zero = pass_q == 0;
+    o.load_zero = phase_q != CameraLoad || pass_q == 0;
     o.ext = false;
     o.axis_mask = AllAxes;
     o.delta = ddr_q;

@@ -8,8 +8,8 @@
 // Size    45 register bits; angle_i counts 1/2048 turn, full scale of a sine is 511.
 // Cycles  44..83 clocks from the start of the line to the first clock of RUN, data dependent.
 // Comb    line_end_i, rst_ni -> tracer_reset_o and all controls; step_i -> controls;
-//         y_i -> i2_init_o; step_i, line_end_i -> src_o; angle_i -> delta_o, ext_sign_o,
-//         axis_mask_o, i2_init_o (angle_i depends on src_o: no loop).
+//         y_i -> i2_init_o; step_i, line_end_i -> src_o; angle_i -> delta_o, axis_mask_o,
+//         i2_init_o (angle_i depends on src_o: no loop).
 // Stall   waits in SCALE while step_i.
 // Reset   start of a line, also by line_end_i; ddr keeps its value.
 // Knobs   dr_bits scales full scale.

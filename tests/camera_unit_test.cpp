@@ -9,6 +9,7 @@
 
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "tests/camera_unit_bench.h"
 
@@ -160,6 +161,19 @@ TYPED_TEST(CameraUnitTest, TargetOfTheDownPassFollowsTheLineWithinTheClock) {
     this->clock();
   }
   EXPECT_GE(followed, 3);  // LOAD and SCALE of pass 1
+}
+
+// Contract 7.4: load_zero is 1 except in phase LOAD of the second and third pass.
+TYPED_TEST(CameraUnitTest, LoadZeroIsOffInTwoClocksOfTheLine) {
+  this->start_line(view_of(700, 0, 3), 3);
+  std::vector<int> starts;
+  for (int c = 0; c < 100; ++c, this->clock()) {
+    if (this->out("load_zero_o")) continue;
+    EXPECT_EQ(this->out("load_o"), 1) << c;
+    starts.push_back(this->out("idx_start_o"));
+  }
+  EXPECT_EQ(this->out("run_o"), 1);
+  EXPECT_EQ(starts, (std::vector<int>{256, 512}));
 }
 
 // Contract 7.4, phase RUN.

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "sc/ray_stepper.h"
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -129,6 +130,6 @@ class RayStepperKnobTest : public testing::Test {
   std::optional<UnitBench> bench;
 };
 
-using Twins = testing::Types<ray_stepper>;
+using Twins = testing::Types<ray_stepper, rtl_twin<ray_stepper>>;
 
 }  // namespace racebeam

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -162,7 +163,7 @@ class SequencerWideDrTest : public SequencerTest<Unit> {
   SequencerWideDrTest() : SequencerTest<Unit>(wide()) {}
 };
 
-using Twins = testing::Types<sequencer>;
+using Twins = testing::Types<sequencer, rtl_twin<sequencer>>;
 TYPED_TEST_SUITE(SequencerTest, Twins);
 TYPED_TEST_SUITE(SequencerWideDrTest, Twins);
 

@@ -6,10 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
+#include "sc/rtl_twin.h"
 #include "sc/timeline.h"
+#include "tb/scene/shot_table.h"
 #include "tests/beside.h"
+#include "tests/scratch_folder.h"
 
 namespace racebeam {
 
@@ -140,6 +145,39 @@ inline scene_program random_program(std::minstd_rand& random) {
   return program;
 }
 
-using Twins = testing::Types<timeline>;
+/// The folder that the RTL finds its table in: the process goes there.
+class TableFolder {
+ protected:
+  explicit TableFolder(const scene_program& program) {
+    std::ofstream(folder_ / Table) << shot_table(program);
+    std::filesystem::current_path(folder_.path());
+  }
+  static constexpr const char* Table = "shots.hex";
+
+ private:
+  const ScratchFolder folder_;
+};
+
+/// The RTL for programs of up to eight shots.
+class rtl_timeline : private TableFolder, public rtl_twin<timeline> {
+ public:
+  rtl_timeline(const sc_core::sc_module_name& name, const knobs& k, const scene_program& program)
+      : TableFolder(program), rtl_twin(name, k, plugin(k)) {}
+
+ private:
+  static std::string plugin(const knobs& k) {
+    namespace fs = std::filesystem;
+    const std::string dr_bits = "DrBits=" + std::to_string(k.dr_bits);
+    const fs::path own = rtl_plugin_path("timeline", {});
+    const fs::path path = own.parent_path() / ("timeline.test." + dr_bits + ".so");
+    if (!fs::exists(path) || fs::last_write_time(path) < fs::last_write_time(own))
+      build_rtl_plugin("timeline", {RACEBEAM_SOURCE_DIR "/rtl/timeline.sv"},
+                       {"Shots=8", "ShotFile=\"" + std::string(Table) + "\"", dr_bits},
+                       path.string());
+    return path.string();
+  }
+};
+
+using Twins = testing::Types<timeline, rtl_timeline>;
 
 }  // namespace racebeam

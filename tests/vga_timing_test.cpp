@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -138,7 +139,7 @@ class VgaTimingTest : public VgaTimingKnobTest<Unit> {
   }
 };
 
-using Twins = testing::Types<vga_timing>;
+using Twins = testing::Types<vga_timing, rtl_twin<vga_timing>>;
 TYPED_TEST_SUITE(VgaTimingTest, Twins);
 TYPED_TEST_SUITE(VgaTimingKnobTest, Twins);
 
