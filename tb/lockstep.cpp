@@ -24,7 +24,7 @@ void Lockstep::compare() {
   remember();
   bool differs = false;
   const auto& outputs = rtl_.outputs();
-  for (std::size_t n = 0; n < outputs.size(); ++n) {
+  for (std::size_t n = 0; n < outputs.size() && clocks_ > 0; ++n) {
     const int expected = outputs[n].pin->wire_value();
     int got = outputs[n].rtl.read();
     if (inversion_ && inversion_->output == n && inversion_->clock == clocks_)
