@@ -113,6 +113,7 @@ int command_verify(const VerifyOptions& options) {
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  show.frames()));
   const unit_choices choices = choices_of(options, show.standard_knobs());
+  check_tables(choices, show.program() != nullptr);
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;
   // SystemC elaborates once in a process: each unit on random traffic has a process of its own.

@@ -90,6 +90,16 @@ std::string user_plugin(const std::string& unit, const std::string& file, const 
   return plugin;
 }
 
+void check_tables(const unit_choices& choices, bool scene_file) {
+  for (const char* unit : {"sequencer", "scene"}) {
+    const unit_choice& choice = choices.of(unit);
+    if (scene_file && (choice.driver == unit_choice::Rtl || choice.lockstep))
+      throw UsageError(std::string(unit) +
+                       " can be RTL in the built-in demo only: a scene file puts a table in its "
+                       "place; leave it a model");
+  }
+}
+
 void use_units(unit_choices& choices, const std::string& text, const knobs& k) {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) use_one(choices, part, k);

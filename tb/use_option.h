@@ -20,6 +20,10 @@ void use_units(unit_choices& choices, const std::string& text, const knobs& k);
 /// removed when the program ends. Throws UsageError, RtlError, MissingTool.
 std::string user_plugin(const std::string& unit, const std::string& file, const knobs& k);
 
+/// Refuses what a scene file cannot have: its rooms and shots are tables of the models. Throws
+/// UsageError.
+void check_tables(const unit_choices& choices, bool scene_file);
+
 /// A unit of the chip. Throws UsageError with the nearest name.
 void check_unit(const std::string& unit);
 
