@@ -294,8 +294,8 @@ module decision_datapath #(
             level_d = target[2:1] == 2'd1 ? 3'd3 : 3'd1;
             subtract_s = target[2:1] == 2'd1 ? 3'b111 : face_axis;
           end
-          if (!target[0]) level_d[0] = 1'b0;
         end
+        if (!target[0]) level_d[0] = 1'b0;
       end
     end
 

@@ -146,6 +146,7 @@ module subdivider #(
         next_state = StateLeft;
         next_i2 = nlo[9:0];
         want_step = !agree;
+        neg = 1'b1;
         one_pixel = 1'b1;
       end
     end
