@@ -9,8 +9,8 @@
 `default_nettype none
 
 module decision_datapath #(
-    parameter int DrBits = racebeam_pkg::DrBits,
-    parameter int CornerBits = racebeam_pkg::CornerBits,
+    parameter int DrBits = 10,
+    parameter int CornerBits = 12,
     parameter int CornerFactorBits = 8,
     parameter int PartialProductsCut = 5,
     parameter int MaxRoomDepth = 8,
@@ -353,8 +353,9 @@ module decision_datapath #(
       if (at_camera) corner_d[a] = camera[a];
     end
 
-    room_d = at_camera ? nav_room_i[RoomBits-1:0]
-        : to_neighbour ? neighbour_i[RoomBits-1:0] : room_q;
+    room_d = room_q;
+    if (root || (at_camera && !to_neighbour)) room_d = nav_room_i[RoomBits-1:0];
+    else if (to_neighbour) room_d = neighbour_i[RoomBits-1:0];
   end
 
   always_ff @(posedge clk_i) begin

@@ -9,7 +9,7 @@
 `default_nettype none
 
 module navigator #(
-    parameter int NavigatorBits = racebeam_pkg::NavigatorBits,
+    parameter int NavigatorBits = 9,
     parameter int FreeFlight = 0
 ) (
     // Clock and reset
