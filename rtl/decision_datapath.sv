@@ -15,7 +15,9 @@ module decision_datapath #(
     parameter int PartialProductsCut = 5,
     parameter int MaxRoomDepth = 8,
     parameter int FaceStackDepth = 9,
-    parameter int FreeFlight = 0
+    parameter int SkipSharedEdges = 0,
+    parameter int FreeFlight = 0,
+    parameter int PortalsPerFace = 1
 ) (
     /* verilator lint_off UNUSEDSIGNAL */  // ports are as wide as the widest parameters need
     // Clock; phase of the line
@@ -95,6 +97,13 @@ module decision_datapath #(
   localparam int LargestShift =
       CornerBits - 1 > CornerFactorBits ? CornerBits - 1 - CornerFactorBits : 0;
 
+  localparam bit SeveralPortals = PortalsPerFace > 1;
+
+  typedef enum logic [1:0] {
+    LookThrough = 2'd0,
+    LookNext = 2'd1,
+    LookPrevious = 2'd2
+  } look_way;
   typedef enum logic [2:0] {
     CornerHold = 3'd0,
     CornerAddVelocity = 3'd1,
@@ -113,12 +122,27 @@ module decision_datapath #(
   logic [1:0] face_q, face_d, hit_face_q, hit_face_d;
   logic dom_q, dom_d, dom_prev_q, dom_prev_d;
   logic wall_q, wall_d, second_q, second_d, descend_q;
+  logic [racebeam_pkg::PortalBits-1:0] portal_q, portal_d, back_q, back_d;  // 0: one portal a face
+  logic [3:0] shared, shared_entered;  // levels that need no decision, of this and the new room
 
   function automatic logic [1:0] axis_after(input logic [1:0] axis);
     axis_after = axis == 2'd2 ? 2'd0 : axis == 2'd3 ? 2'd1 : axis + 2'd1;
   endfunction
   function automatic logic [1:0] axis_before(input logic [1:0] axis);
     axis_before = axis == 2'd0 ? 2'd2 : axis - 2'd1;
+  endfunction
+
+  // Per axis; 1: the level tests the near corner, 0: the far one.
+  function automatic logic [2:0] near(input logic [1:0] level_pair, input logic [2:0] face_axis);
+    near = level_pair[1] ? 3'b000 : level_pair[0] ? 3'b111 : face_axis;
+  endfunction
+
+  // The first level from `level` on that needs a decision.
+  function automatic logic [racebeam_pkg::LevelBits-1:0] next_test(
+      input logic [racebeam_pkg::LevelBits-1:0] level, input logic [3:0] no_test);
+    next_test = 3'd6;
+    for (int n = 3; n >= 0; n--)
+      if (3'(n) >= level && !no_test[n]) next_test = 3'(n);
   endfunction
 
   // The face a ray leaves by: the second decision of levels 6 and 7.
@@ -177,14 +201,35 @@ module decision_datapath #(
   assign mask_o = depth_q == '0 && !level_q[2] ? 4'b1110 : 4'b0001;
 
   // What scene is asked for.
+  wire logic [racebeam_pkg::DepthBits-1:0] target_depth =
+      top_tag_i[racebeam_pkg::LevelBits+:racebeam_pkg::DepthBits];
+  wire logic [racebeam_pkg::PortalBits-1:0] target_portal =
+      top_tag_i[racebeam_pkg::TagBits+:racebeam_pkg::PortalBits];
   wire logic solid = neighbour_i[RoomBits-1:0] == '1;
 
-  assign look_axis_o = nav_line_i ? nav_axis_i : climb_i ? face_q : left_face(dom_q, leave_i[0]);
-  assign look_signs_o = nav_line_i ? {3{nav_negative_i}} : climb_i ? ~ray_signs_i : ray_signs_i;
-  assign look_portal_o = '0;
-  assign look_way_o = '0;
-  assign fwrite_o = leave_i[1] && !solid;
-  assign fdata_o = racebeam_pkg::FacePortBits'({face_q[1], face_q[0] | dom_prev_q});
+  wire logic aside = SeveralPortals && leave_i[1] && !level_q[2];  // to the next portal
+  wire logic to_previous = SeveralPortals && target_depth == depth_q && target_portal != portal_q;
+
+  always_comb begin
+    look_axis_o = left_face(dom_q, leave_i[0]);
+    look_signs_o = ray_signs_i;
+    look_portal_o = '0;
+    look_way_o = LookThrough;
+    if (climb_i || aside) begin
+      look_axis_o = face_q;
+      look_signs_o = ~ray_signs_i;
+      look_portal_o = back_q;
+      look_way_o = !climb_i ? LookNext : to_previous ? LookPrevious : LookThrough;
+    end
+    if (nav_line_i) begin
+      look_axis_o = nav_axis_i;
+      look_signs_o = {3{nav_negative_i}};
+      look_portal_o = SeveralPortals ? nav_portal_i : '0;
+      look_way_o = LookThrough;
+    end
+  end
+  assign fwrite_o = leave_i[1] && level_q == 3'd7 && !solid;
+  assign fdata_o = {back_q, portal_q, face_q[1], face_q[0] | dom_prev_q};
 
   // The move.
   wire logic go_down = descend_i || (second_q && descend_q);
@@ -193,111 +238,113 @@ module decision_datapath #(
   wire logic root = tracer_reset_i || (nav_line_i ? active_start_i : restart_i);
   wire logic [1:0] new_face = left_face(dom_q, cur_i[0]);
   wire logic [1:0] popped_face = fread_i[1:0] == 2'd3 ? 2'd2 : fread_i[1:0];
-  wire logic [racebeam_pkg::DepthBits-1:0] target_depth =
-      top_tag_i[racebeam_pkg::LevelBits+:racebeam_pkg::DepthBits];
   wire logic [racebeam_pkg::LevelBits-1:0] target = top_tag_i[racebeam_pkg::LevelBits-1:0];
   wire logic [2:0] even_level = {level_q[2:1], 1'b0};
   wire logic [2:0] rounded = target_depth == depth_q && target == even_level ? level_q : even_level;
   wire logic [2:0] face_axis = 3'b001 << face_q;
 
-  // Per axis; 1: the near corner, 0: the far one.
-  logic [2:0] near_axes;
-  always_comb
-    unique case (second_q ? target[2:1] : level_q[2:1])
-      2'd0: near_axes = face_axis;
-      2'd1: near_axes = 3'b111;
-      default: near_axes = 3'b000;
-    endcase
-
-  logic [2:0] negate, add_s, subtract_s, add_r, subtract_r;
-  logic twice, corner_down, corner_up, to_neighbour;
+  logic [2:0] negate, add_s, subtract_s, add_r, subtract_r, near_axes, near_next;
+  logic leave_room, arrive, change_corner, corner_down, corner_up, twice, to_neighbour;
 
   always_comb begin
     {negate, add_s, subtract_s, add_r, subtract_r} = '0;
-    {twice, corner_down, corner_up, to_neighbour} = '0;
+    {leave_room, arrive, change_corner, corner_down, corner_up, to_neighbour} = '0;
     depth_d = depth_q;
     level_d = level_q;
     {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
+    {portal_d, back_d} = {portal_q, back_q};
     second_d = 1'b0;
     wall_d = wall_q && !(state_i == 2'd3 && !go_down);
     hit_face_d = hit_face_q;
 
     if (go_down) begin
-      if (second_q) begin  // the room is entered
-        level_d = 3'd0;
+      if (level_q == 3'd7 && second_q) begin  // a room is entered: second half
+        level_d = next_test(3'd0, shared_entered);
         depth_d = depth_q + 1'b1;
-        {add_r, subtract_r} = {~ray_signs_i, ray_signs_i};
-        {add_s, subtract_s} = {~face_axis, face_axis};
+        arrive = 1'b1;
         if (deepest) wall_d = 1'b1;
-      end else if (level_q == 3'd7) begin
+      end else if (level_q == 3'd7) begin  // first half
         if (!solid) begin
           second_d = 1'b1;
           face_d = new_face;
+          portal_d = '0;
+          back_d = back_i;
+          leave_room = 1'b1;
           to_neighbour = 1'b1;
-          {add_r, subtract_r} = {ray_signs_i, ~ray_signs_i};
-          subtract_s = '1;
         end
         if (solid || deepest) wall_d = 1'b1;
       end else if (level_q == 3'd6) begin
         {dom_prev_d, dom_d} = {dom_q, cur_i[0]};
         level_d = 3'd7;
-      end else if (level_q[2]) begin
+      end else if (depth_q == '0 && level_q == 3'd2) begin
+        level_d = 3'd6;
+        {negate, add_s} = {cur_i[3:1], 3'b111};
+        {corner_up, corner_down} = {!cur_i[3], cur_i[3]};
+      end else if (depth_q == '0 || level_q[2]) begin
         level_d = level_q + 1'b1;
-      end else if (depth_q == '0) begin
-        level_d = level_q + 1'b1;
-        if (level_q == 3'd2) begin
-          level_d = 3'd6;
-          {negate, add_s} = {cur_i[3:1], 3'b111};
-          {corner_up, corner_down} = {!cur_i[3], cur_i[3]};
-        end
+      end else if (SeveralPortals && second_q) begin  // behind the next portal
+        arrive = 1'b1;
+      end else if (SeveralPortals && cur_i[0] && !solid) begin  // past the edge of a portal
+        level_d = 3'd0;
+        second_d = 1'b1;
+        portal_d = portal_q + 1'b1;
+        back_d = back_i;
+        leave_room = 1'b1;
+        to_neighbour = 1'b1;
       end else begin
-        level_d = level_q == 3'd3 ? 3'd6 : level_q + 1'b1;
+        level_d = next_test(level_q + 1'b1, shared);
         wall_d = cur_i[0];
-        twice = 1'b1;
-        if (level_q == 3'd1) subtract_s = ~face_axis;
-        if (level_q == 3'd3) add_s = '1;
+        change_corner = 1'b1;
       end
       if (wall_d && !wall_q) hit_face_d = level_q == 3'd7 && !second_q ? new_face : face_q;
     end else if (climb_i) begin
-      if (level_q == 3'd7 && !(target_depth == depth_q && second_q)) dom_d = dom_prev_q;
+      if (level_q == 3'd7 && (target_depth != depth_q || !second_q || to_previous))
+        dom_d = dom_prev_q;
       if (target_depth != depth_q) begin  // leave a room
         depth_d = depth_q - 1'b1;
         level_d = 3'd7;
         second_d = 1'b1;
         to_neighbour = 1'b1;
         {face_d, dom_prev_d} = {popped_face, fread_i[0]};
-        if (!second_q) begin
-          {add_r, subtract_r} = {ray_signs_i, ~ray_signs_i};
-          {add_s, subtract_s} = {near_axes, ~near_axes};
-        end
-      end else if (second_q) begin  // arrive
+        {back_d, portal_d} = fread_i[racebeam_pkg::FaceBits+:2*racebeam_pkg::PortalBits];
+        leave_room = !second_q;
+      end else if (to_previous) begin  // for the one behind the portal before
+        level_d = 3'd0;
+        second_d = 1'b1;
+        portal_d = portal_q - 1'b1;
+        back_d = back_i;
+        to_neighbour = 1'b1;
+        leave_room = !second_q;
+      end else if (second_q) begin
         level_d = target;
-        if (target != 3'd7) dom_d = dom_prev_q;
-        if (depth_q == '0 && !target[2]) begin
-          {negate, add_r} = {ray_signs_i, 3'b111};
-        end else begin
-          {add_r, subtract_r} = {~ray_signs_i, ray_signs_i};
-          {add_s, subtract_s} = {~near_axes, near_axes};
-        end
+        if (level_q == 3'd7 && target != 3'd7) dom_d = dom_prev_q;
+        if (depth_q == '0 && !target[2]) {negate, add_r} = {ray_signs_i, 3'b111};
+        else arrive = 1'b1;
+      end else if (depth_q == '0 && rounded == 3'd6) begin  // to the root
+        level_d = 3'd2;
+        {negate, add_s, subtract_s} = {ray_signs_i, ray_signs_i, ~ray_signs_i};
+        {corner_up, corner_down} = {ray_signs_i[2], !ray_signs_i[2]};
       end else begin  // within the room
         level_d = rounded - 1'b1;
-        if (depth_q == '0) begin
-          if (rounded == 3'd6) begin
-            level_d = 3'd2;
-            {negate, add_s, subtract_s} = {ray_signs_i, ray_signs_i, ~ray_signs_i};
-            {corner_up, corner_down} = {ray_signs_i[2], !ray_signs_i[2]};
-          end
-        end else begin
-          twice = 1'b1;
-          if (rounded == 3'd2) add_s = ~face_axis;
-          if (rounded == 3'd6) begin
-            level_d = target[2:1] == 2'd1 ? 3'd3 : 3'd1;
-            subtract_s = target[2:1] == 2'd1 ? 3'b111 : face_axis;
-          end
-        end
+        if (rounded == 3'd6) level_d = target[2:1] == 2'd1 ? 3'd3 : 3'd1;
         if (!target[0]) level_d[0] = 1'b0;
+        change_corner = depth_q != '0 && (rounded == 3'd2 || rounded == 3'd6);
       end
     end
+
+    // Corners: far ones are a half size beyond the centre, near ones before it.
+    near_axes = near(level_q[2:1], face_axis);
+    near_next = near(level_d[2:1], face_axis);
+    twice = change_corner;
+    if (leave_room) begin
+      {add_r, subtract_r} = {ray_signs_i, ~ray_signs_i};
+      {add_s, subtract_s} = {near_axes, ~near_axes};
+    end
+    if (arrive) begin
+      {add_r, subtract_r} = {~ray_signs_i, ray_signs_i};
+      {add_s, subtract_s} = {~near_next, near_next};
+    end
+    if (change_corner) {add_s, subtract_s} = {near_axes & ~near_next, near_next & ~near_axes};
 
     if (nav_line_i) begin  // the navigator's
       {negate, add_s, subtract_s, add_r, subtract_r} = '0;
@@ -313,7 +360,7 @@ module decision_datapath #(
       depth_d = '0;
       level_d = 3'd2;
       {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
-      {wall_d, second_d} = '0;
+      {wall_d, second_d, portal_d, back_d} = '0;
       hit_face_d = hit_face_q;
     end
   end
@@ -358,6 +405,49 @@ module decision_datapath #(
     else if (to_neighbour) room_d = neighbour_i[RoomBits-1:0];
   end
 
+  // Edges of the room being entered that do not narrow the face it is entered by.
+  if (SkipSharedEdges != 0) begin : g_shared_edges
+    logic [CornerBits-1:0] left_far_q[3], left_near_q[3], far[3], near_side[3];
+    logic [3:0] shared_q[1 << racebeam_pkg::DepthBits];
+
+    // A difference that is not negative.
+    function automatic logic reaches(input logic [CornerBits-1:0] difference);
+      reaches = !difference[CornerBits-1];
+    endfunction
+
+    always_comb begin
+      for (int a = 0; a < 3; a++) begin  // in the mirrored world
+        far[a] = (ray_signs_i[a] ? -position[a] : position[a]) + half_size[a];
+        near_side[a] = far[a] - (half_size[a] << 1);
+      end
+      shared_entered = '0;
+      for (int a = 0; a < 3; a++) begin
+        if (axis_before(face_q) == 2'(a)) begin
+          shared_entered[0] = reaches(far[a] - left_far_q[a]);
+          shared_entered[2] = reaches(left_near_q[a] - near_side[a]);
+        end
+        if (axis_after(face_q) == 2'(a)) begin
+          shared_entered[1] = reaches(far[a] - left_far_q[a]);
+          shared_entered[3] = reaches(left_near_q[a] - near_side[a]);
+        end
+      end
+      shared = shared_q[depth_q];
+    end
+
+    always_ff @(posedge clk_i)
+      if (!root && go_down) begin
+        if (level_q == 3'd7 && !second_q && !solid)
+          for (int a = 0; a < 3; a++) begin
+            left_far_q[a] <= far[a];
+            left_near_q[a] <= near_side[a];
+          end
+        if (level_q == 3'd7 && second_q) shared_q[depth_d] <= shared_entered;
+        else if (arrive) shared_q[depth_q] <= '0;
+      end
+  end else begin : g_all_edges
+    assign {shared, shared_entered} = '0;
+  end
+
   always_ff @(posedge clk_i) begin
     depth_q <= depth_d;
     level_q <= level_d;
@@ -370,12 +460,14 @@ module decision_datapath #(
     wall_q <= wall_d;
     second_q <= second_d;
     descend_q <= descend_i;
+    portal_q <= SeveralPortals ? portal_d : '0;
+    back_q <= SeveralPortals ? back_d : '0;
   end
 
   assign corner_x_o = racebeam_pkg::CornerPortBits'(signed'(corner_q[0]));
   assign corner_y_o = racebeam_pkg::CornerPortBits'(signed'(corner_q[1]));
   assign corner_z_o = racebeam_pkg::CornerPortBits'(signed'(corner_q[2]));
-  assign tag_o = racebeam_pkg::TagPortBits'({depth_q, level_q});
+  assign tag_o = {portal_q, depth_q, level_q};
   assign wall_o = wall_q;
   assign second_o = second_q;
   assign hit_face_o = hit_face_q;

@@ -1,8 +1,8 @@
 // navigator: flies the camera. Once per frame it adds the velocity and changes the room.
 // Contract: sc/navigator.h
 //
-// Bits of the camera and of its room that are wired have no flip-flops. The low three bits of
-// nav_state are the chip's; bit 3 is there where faces may have several portals.
+// Bits of the camera and of its room that are wired have no flip-flops; bit 3 of nav_state and the
+// portal are there where faces may have several portals only.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -10,7 +10,8 @@
 
 module navigator #(
     parameter int NavigatorBits = 9,
-    parameter int FreeFlight = 0
+    parameter int FreeFlight = 0,
+    parameter int PortalsPerFace = 1
 ) (
     // Clock and reset
     input  wire logic clk_i,
@@ -41,15 +42,19 @@ module navigator #(
     output logic [2:0] nav_op_o,
     output logic nav_move_o
 );
-  typedef enum logic [2:0] {
-    NavIdle = 3'd0,
-    NavToPlus = 3'd1,
-    NavCheckPlus = 3'd2,
-    NavCheckMinus = 3'd3,
-    NavFinish = 3'd4,
-    NavStore = 3'd5,
-    NavAdjust = 3'd6,
-    NavUnused = 3'd7
+  typedef enum logic [3:0] {
+    NavIdle = 4'd0,
+    NavToPlus = 4'd1,
+    NavCheckPlus = 4'd2,
+    NavCheckMinus = 4'd3,
+    NavFinish = 4'd4,
+    NavStore = 4'd5,
+    NavAdjust = 4'd6,
+    NavTryPlus = 4'd8,
+    NavTryDone = 4'd9,
+    NavTryCheckPlus = 4'd10,
+    NavTryCheckMinus = 4'd11,
+    NavTryNext = 4'd12
   } navigator_state;
   typedef enum logic [2:0] {
     CornerHold = 3'd0,
@@ -62,7 +67,10 @@ module navigator #(
     CornerCamera = 3'd7
   } corner_op;
 
-  navigator_state nav_state_q, nav_state_d;
+  localparam bit SeveralPortals = PortalsPerFace > 1;
+
+  logic [3:0] nav_state_q, nav_state_d;  // navigator_state
+  logic [racebeam_pkg::PortalBits-1:0] portal_q, portal_d;  // that is tried
 
   // An axis qualifies when the corner lies below 0 in even states, not below in odd ones.
   wire logic [2:0] below = {
@@ -94,11 +102,17 @@ module navigator #(
             nav_move_o = 1'b1;
           end
         NavFinish: nav_op_o = CornerAddR;
+        NavTryPlus, NavTryDone: nav_op_o = CornerAddS;
+        NavTryCheckPlus: nav_op_o = found != '0 ? CornerHold : CornerSubtract2S;
+        NavTryNext: nav_op_o = CornerCamera;
         default: ;
       endcase
     end
   end
-  assign nav_portal_o = '0;
+  assign nav_portal_o = portal_q;
+
+  wire logic another = 32'(portal_q) + 1 < PortalsPerFace;
+  wire logic start = nav_line_i && active_start_i;
 
   always_comb begin
     unique case (nav_state_q)
@@ -106,17 +120,31 @@ module navigator #(
       NavToPlus: nav_state_d = NavCheckPlus;
       NavCheckPlus: nav_state_d = found != '0 ? NavFinish : NavCheckMinus;
       NavCheckMinus: nav_state_d = found != '0 ? NavFinish : NavIdle;
-      NavFinish: nav_state_d = NavStore;
+      NavFinish: nav_state_d = another ? NavTryPlus : NavStore;
+      NavTryPlus: nav_state_d = NavTryCheckPlus;
+      NavTryCheckPlus: nav_state_d = found != '0 ? NavTryNext : NavTryCheckMinus;
+      NavTryCheckMinus: nav_state_d = found != '0 ? NavTryNext : NavTryDone;
+      NavTryDone: nav_state_d = NavStore;
+      NavTryNext: nav_state_d = NavToPlus;
       default: nav_state_d = NavIdle;
     endcase
-    if (nav_line_i && active_start_i) nav_state_d = NavAdjust;
+    if (start) nav_state_d = NavAdjust;
     if (reset) nav_state_d = NavIdle;
   end
 
   wire logic store_position = reset || nav_state_q == NavToPlus || nav_state_q == NavStore;
   wire logic store_room = reset || nav_state_q == NavStore;
 
-  always_ff @(posedge clk_i) nav_state_q <= nav_state_d;
+  always_comb begin
+    portal_d = portal_q;
+    if (nav_state_q == NavTryNext) portal_d = portal_q + 1'b1;
+    if (reset || start) portal_d = '0;
+  end
+
+  always_ff @(posedge clk_i) begin
+    nav_state_q <= {SeveralPortals && nav_state_d[3], nav_state_d[2:0]};
+    portal_q <= SeveralPortals ? portal_d : '0;
+  end
 
   if (FreeFlight != 0) begin : g_free
     logic signed [NavigatorBits-1:0] position_x_q, position_y_q, position_z_q;

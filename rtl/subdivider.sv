@@ -158,7 +158,9 @@ module subdivider #(
   always_comb begin
     power = 11'd1;
     for (int k = 1; k <= 10; k++) if (32'(span) >= 3 << (k - 1)) power = 11'd1 << k;
-    step_size = bisecting && Bisection != 0 ? {1'b0, span[10:1]} : power;
+    step_size = power;
+    if (bisecting && Bisection != 0 && $signed(distance) > 12'sd1)
+      step_size = agree ? {1'b0, span[10:1]} : span - {1'b0, span[10:1]};
     if (one_pixel) step_size = 11'd1;
   end
 
@@ -171,7 +173,8 @@ module subdivider #(
   assign descend_o = advance && want_descend && !returning;
   assign climb_o = need_climb && !pending;
   assign cur_o = descend_o ? cur : '0;
-  assign leave_o = descend_o && tag_i[2:0] == 3'd7 ? {1'b1, cur[0]} : '0;
+  wire logic leaves = tag_i[2:0] == 3'd7 || (PortalsPerFace > 1 && !tag_i[2] && cur[0]);
+  assign leave_o = descend_o && leaves ? {1'b1, cur[0]} : '0;
   assign restart_o = restart;
   assign emit_o = emit;
 
