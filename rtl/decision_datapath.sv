@@ -89,7 +89,9 @@ module decision_datapath #(
     output logic [1:0] hit_face_o
     /* verilator lint_on UNUSEDSIGNAL */
 );
-  localparam int RoomBits = FreeFlight != 0 ? racebeam_pkg::RoomPortBits : racebeam_pkg::RoomBits;
+  localparam bit SeveralPortals = PortalsPerFace > 1;
+  localparam int RoomBits =
+      FreeFlight != 0 || SeveralPortals ? racebeam_pkg::RoomPortBits : racebeam_pkg::RoomBits;
   localparam int DeepestRoom = MaxRoomDepth < FaceStackDepth ? MaxRoomDepth : FaceStackDepth - 1;
   localparam int FactorBits = CornerFactorBits;
   localparam int RayFactorBits = DrBits - 1;
@@ -97,7 +99,6 @@ module decision_datapath #(
   localparam int LargestShift =
       CornerBits - 1 > CornerFactorBits ? CornerBits - 1 - CornerFactorBits : 0;
 
-  localparam bit SeveralPortals = PortalsPerFace > 1;
 
   typedef enum logic [1:0] {
     LookThrough = 2'd0,
@@ -207,7 +208,8 @@ module decision_datapath #(
       top_tag_i[racebeam_pkg::TagBits+:racebeam_pkg::PortalBits];
   wire logic solid = neighbour_i[RoomBits-1:0] == '1;
 
-  wire logic aside = SeveralPortals && leave_i[1] && !level_q[2];  // to the next portal
+  wire logic leaves = leave_i != '0;
+  wire logic aside = SeveralPortals && leaves && !level_q[2];  // to the next portal
   wire logic to_previous = SeveralPortals && target_depth == depth_q && target_portal != portal_q;
 
   always_comb begin
@@ -228,7 +230,7 @@ module decision_datapath #(
       look_way_o = LookThrough;
     end
   end
-  assign fwrite_o = leave_i[1] && level_q == 3'd7 && !solid;
+  assign fwrite_o = leaves && level_q == 3'd7 && !solid;
   assign fdata_o = {back_q, portal_q, face_q[1], face_q[0] | dom_prev_q};
 
   // The move.

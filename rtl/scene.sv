@@ -1,7 +1,7 @@
 // scene: the world as logic. Size and place of a room, and the room behind each of its faces.
 // Contract: sc/scene.h
 //
-// Room ids are 9 bits, so the room 511 is none as well; its neighbour is room 4 on all sides.
+// Room ids are 9 bits, so 511 is none to decision_datapath; its neighbour is room 4 on all sides.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -120,12 +120,10 @@ module scene (
       end
       default: ;
     endcase
-    if (!open) neighbour = '1;
-    if (room_i[RoomBits-1:0] == '1) neighbour = RoomBits'(4);
+    if (room_i[RoomBits-1:0] == '1) {open, neighbour} = {1'b1, RoomBits'(4)};
   end
 
-  assign neighbour_o =
-      neighbour == '1 ? '1 : racebeam_pkg::RoomPortBits'(neighbour);  // SolidRoom
+  assign neighbour_o = open ? racebeam_pkg::RoomPortBits'(neighbour) : '1;
   assign back_o = '0;
 endmodule
 

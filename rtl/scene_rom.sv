@@ -48,7 +48,7 @@ module scene_rom #(
   typedef enum logic [1:0] {
     LookThrough = 2'd0,
     LookNext = 2'd1,
-    LookPrevious = 2'd2
+    LookPrevious = 2'd2  // as is 3
   } look_way;
 
   localparam int AddressBits = Rooms > 1 ? $clog2(Rooms) : 1;
@@ -96,8 +96,8 @@ module scene_rom #(
     room_behind = through[RoomBits-1:0];
     row_behind = there(room_behind) ? rows[room_behind[AddressBits-1:0]][PortalRowBits-1:0] : '0;
     portal_beside = {1'b0, through[RoomBits+:PortalBits]};
-    if (look_way_i == LookPrevious) portal_beside = portal_beside - 1'b1;
-    else portal_beside = portal_beside + 1'b1;
+    if (look_way_i == LookNext) portal_beside = portal_beside + 1'b1;
+    else portal_beside = portal_beside - 1'b1;
     beside = there(room_behind) && !portal_beside[PortalBits]
         ? portal_of(row_behind, face ^ 3'b001, portal_beside[PortalBits-1:0])
         : WordBits'(NoRoom);
