@@ -93,15 +93,11 @@ TYPED_TEST(DecisionDatapathDecisionTest, FactorsAreNormalisedTo8Bits) {
   }
 }
 
-template <class Unit>
-class DecisionDatapathDecisionKnobs : public testing::Test {};
-TYPED_TEST_SUITE(DecisionDatapathDecisionKnobs, Twins);
-
-TYPED_TEST(DecisionDatapathDecisionKnobs, WideFactorsAndNoCutGiveTheSignOfTheExactProduct) {
+TEST(DecisionDatapathDecisionKnobs, WideFactorsAndNoCutGiveTheSignOfTheExactProduct) {
   knobs k;
   k.corner_factor_bits = 12;
   k.partial_products_cut = 0;
-  Dut<TypeParam> d(k);
+  Dut<decision_datapath> d(k);
   std::mt19937 random(303);
   const auto upto = [&](int n) { return static_cast<int>(random() % n); };
   int differs = 0;

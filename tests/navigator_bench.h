@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "sc/navigator.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -152,6 +151,6 @@ class NavigatorTest : public NavigatorBench<Unit, World> {
   }
 };
 
-using Twins = testing::Types<navigator, rtl_twin<navigator>>;
+using Twins = testing::Types<navigator>;
 
 }  // namespace racebeam

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "sc/pixel_output.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -67,6 +66,6 @@ class PixelOutputTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<pixel_output, rtl_twin<pixel_output>>;
+using Twins = testing::Types<pixel_output>;
 
 }  // namespace racebeam

@@ -7,7 +7,6 @@
 #include <set>
 #include <vector>
 
-#include "sc/rtl_twin.h"
 #include "sc/sequencer.h"
 #include "tb/unit_bench.h"
 
@@ -124,7 +123,7 @@ class SceneTest : public testing::Test {
   UnitBench bench{unit};
 };
 
-using Twins = testing::Types<scene, rtl_twin<scene>>;
+using Twins = testing::Types<scene>;
 TYPED_TEST_SUITE(SceneTest, Twins);
 
 // Contract 20.4.

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sc/rtl_twin.h"
 #include "sc/subdivider.h"
 #include "tb/unit_bench.h"
 
@@ -71,6 +70,6 @@ class SubdividerTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<subdivider, rtl_twin<subdivider>>;
+using Twins = testing::Types<subdivider>;
 
 }  // namespace racebeam

@@ -176,23 +176,19 @@ TYPED_TEST(SubdividerOfferTest, IntervalNotEndingAt639DoesNotEndTheLine) {
   EXPECT_FALSE(d.get("line_done_o"));
 }
 
-template <class Unit>
-class SubdividerOfferKnobs : public testing::Test {};
-TYPED_TEST_SUITE(SubdividerOfferKnobs, Twins);
-
-TYPED_TEST(SubdividerOfferKnobs, HurryThresholdMinus1NeverGivesUp) {
+TEST(SubdividerOfferKnobs, HurryThresholdMinus1NeverGivesUp) {
   knobs k;
   k.hurry_threshold = -1;
-  Dut<TypeParam> d(k);
+  Dut<subdivider> d(k);
   for (const int pixels : {1, 2, 33, 640}) EXPECT_FALSE(gives_up(d, pixels)) << pixels;
   d.see("wall_i", 1);
   EXPECT_TRUE(d.get("emit_o")) << "walls are still hit";
 }
 
-TYPED_TEST(SubdividerOfferKnobs, HurryThreshold639GivesUpTheWholeLine) {
+TEST(SubdividerOfferKnobs, HurryThreshold639GivesUpTheWholeLine) {
   knobs k;
   k.hurry_threshold = 639;
-  Dut<TypeParam> d(k);
+  Dut<subdivider> d(k);
   EXPECT_TRUE(gives_up(d, 640));
 }
 
