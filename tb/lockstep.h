@@ -40,8 +40,8 @@ class Lockstep : public sc_core::sc_module {
            const sc_core::sc_module& model, const knobs& k, const std::string& plugin);
 
   const std::string& unit() const { return unit_; }
-  /// Clocks so far. All outputs were compared in each but the first, before any edge: registers have
-  /// no defined value until they are reset.
+  /// Clocks so far. All outputs were compared in each but the first, before any edge: registers
+  /// have no defined value until they are reset.
   std::uint64_t clocks() const { return clocks_; }
   /// Clocks in which some output differed.
   std::uint64_t differences() const { return differences_; }
