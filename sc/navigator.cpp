@@ -9,6 +9,10 @@ namespace {
 // The chip's room: only j, bits 4 to 7, is stored.
 constexpr int WiredRoom = 4, WiredRoomMask = 15 << 4;
 
+int stored_room(int room, const knobs& k) {
+  return k.free_flight ? room : (room & WiredRoomMask) | WiredRoom;
+}
+
 }  // namespace
 
 navigator_core::outputs navigator_core::comb(bool nav_line, const vec3& corner) const {
@@ -46,14 +50,13 @@ navigator_core::outputs navigator_core::comb(bool nav_line, const vec3& corner) 
 void navigator_core::clock(const inputs& in, const knobs& k) {
   if (in.reset) {
     *this = {};
-    position_q = in.start;
-    room_q = in.start_room;
+    store(in.start, k);
+    room_q = stored_room(in.start_room, k);
     return;
   }
   const bool found = comb(true, in.corner).any;
   if (nav_state_q == NavToPlus || nav_state_q == NavStore) store(in.corner, k);
-  if (nav_state_q == NavStore)
-    room_q = k.free_flight ? in.room : (in.room & WiredRoomMask) | WiredRoom;
+  if (nav_state_q == NavStore) room_q = stored_room(in.room, k);
   if (in.go) {
     nav_state_q = NavAdjust;
     portal_q = 0;

@@ -86,7 +86,8 @@ int scene_core::neighbour(int flags, int id, int axis, bool negative) {
     case 1:
       if (!(flags & SceneWindows) || c.odd_odd || c.k != (d > 0)) return SolidRoom;
       return room_id(c.i, c.j, d < 0);
-    default: return neighbour_z(flags, c, d);
+    case 2: return neighbour_z(flags, c, d);
+    default: return SolidRoom;
   }
 }
 

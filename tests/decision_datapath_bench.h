@@ -13,6 +13,7 @@
 
 #include "sc/decision_datapath.h"
 #include "sc/navigator.h"
+#include "sc/rtl_twin.h"
 #include "sc/subdivider.h"
 #include "tb/unit_bench.h"
 
@@ -185,7 +186,7 @@ class DecisionDatapathTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<decision_datapath>;
+using Twins = testing::Types<decision_datapath, rtl_twin<decision_datapath>>;
 
 /// From the root straight down through z faces, until `depth`.7.
 template <class Unit>

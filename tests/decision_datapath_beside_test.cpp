@@ -13,6 +13,7 @@ namespace {
 knobs four_portals() {
   knobs k;
   k.portals_per_face = 4;
+  k.dr_bits = DrPortBits;  // all bits of the random rays count
   return k;
 }
 

@@ -93,11 +93,15 @@ TYPED_TEST(DecisionDatapathDecisionTest, FactorsAreNormalisedTo8Bits) {
   }
 }
 
-TEST(DecisionDatapathDecisionKnobs, WideFactorsAndNoCutGiveTheSignOfTheExactProduct) {
+template <class Unit>
+class DecisionDatapathDecisionKnobs : public testing::Test {};
+TYPED_TEST_SUITE(DecisionDatapathDecisionKnobs, Twins);
+
+TYPED_TEST(DecisionDatapathDecisionKnobs, WideFactorsAndNoCutGiveTheSignOfTheExactProduct) {
   knobs k;
   k.corner_factor_bits = 12;
   k.partial_products_cut = 0;
-  Dut<decision_datapath> d(k);
+  Dut<TypeParam> d(k);
   std::mt19937 random(303);
   const auto upto = [&](int n) { return static_cast<int>(random() % n); };
   int differs = 0;

@@ -205,9 +205,13 @@ TYPED_TEST(DecisionDatapathPortalsTest, CornerIsWhereGeometryPutsItOnRandomWalks
     for (const int portal : {0, 1}) EXPECT_GT(walk.climbs[depth][portal], 100) << depth << portal;
 }
 
+template <class Unit>
+class DecisionDatapathOnePortal : public testing::Test {};
+TYPED_TEST_SUITE(DecisionDatapathOnePortal, Twins);
+
 // With one portal in each face the decision at an edge is the wall, whatever the scene answers.
-TEST(DecisionDatapathOnePortal, RayPastAnEdgeHitsTheWall) {
-  Dut<decision_datapath> d(with_portals(1));
+TYPED_TEST(DecisionDatapathOnePortal, RayPastAnEdgeHitsTheWall) {
+  Dut<TypeParam> d(with_portals(1));
   for (int level = 0; level < 4; ++level)
     for (const int neighbour : {6, 0, SolidRoom})
       for (const int leave : {0, 3}) {

@@ -11,11 +11,16 @@
 namespace racebeam {
 namespace {
 
+template <class Unit>
+class DecisionDatapathSharedEdges : public testing::Test {};
+TYPED_TEST_SUITE(DecisionDatapathSharedEdges, Twins);
+
 // A portal edge on the edge of the face needs no decision.
+template <class Unit>
 void expect_levels(const vec3& half, const vec3& centre, const std::vector<int>& levels) {
   knobs k;
   k.skip_shared_edges = 1;
-  Dut<decision_datapath> d(k);
+  Dut<Unit> d(k);
   d.scene = [&](int room) {
     return room == 4 ? Box{{0, 0, 0}, {128, 256, 128}} : Box{centre, half};
   };
@@ -43,28 +48,28 @@ void expect_levels(const vec3& half, const vec3& centre, const std::vector<int>&
 }
 
 // Through an x face levels 0 and 2 test the far and near edge in z, 1 and 3 those in y (11.2).
-TEST(DecisionDatapathSharedEdges, RoomOfTheSameSectionNeedsNoPortalDecision) {
-  expect_levels({128, 256, 128}, {256, 0, 0}, {6});
+TYPED_TEST(DecisionDatapathSharedEdges, RoomOfTheSameSectionNeedsNoPortalDecision) {
+  expect_levels<TypeParam>({128, 256, 128}, {256, 0, 0}, {6});
 }
 
-TEST(DecisionDatapathSharedEdges, RoomNarrowerInZIsTestedInZ) {
-  expect_levels({128, 256, 96}, {256, 0, 0}, {0, 2, 6});
+TYPED_TEST(DecisionDatapathSharedEdges, RoomNarrowerInZIsTestedInZ) {
+  expect_levels<TypeParam>({128, 256, 96}, {256, 0, 0}, {0, 2, 6});
 }
 
-TEST(DecisionDatapathSharedEdges, RoomLowerInYIsTestedInY) {
-  expect_levels({128, 16, 128}, {256, 0, 0}, {1, 3, 6});
+TYPED_TEST(DecisionDatapathSharedEdges, RoomLowerInYIsTestedInY) {
+  expect_levels<TypeParam>({128, 16, 128}, {256, 0, 0}, {1, 3, 6});
 }
 
-TEST(DecisionDatapathSharedEdges, RoomOnTheNearEdgeIsTestedOnTheFarSide) {
-  expect_levels({128, 256, 96}, {256, 0, -32}, {0, 6});
+TYPED_TEST(DecisionDatapathSharedEdges, RoomOnTheNearEdgeIsTestedOnTheFarSide) {
+  expect_levels<TypeParam>({128, 256, 96}, {256, 0, -32}, {0, 6});
 }
 
-TEST(DecisionDatapathSharedEdges, RoomOnTheFarEdgeIsTestedOnTheNearSide) {
-  expect_levels({128, 246, 128}, {256, 10, 0}, {3, 6});
+TYPED_TEST(DecisionDatapathSharedEdges, RoomOnTheFarEdgeIsTestedOnTheNearSide) {
+  expect_levels<TypeParam>({128, 246, 128}, {256, 10, 0}, {3, 6});
 }
 
-TEST(DecisionDatapathSharedEdges, SmallWindowIsTestedOnAllSides) {
-  expect_levels({16, 96, 96}, {144, 0, 0}, {0, 1, 2, 3, 6});
+TYPED_TEST(DecisionDatapathSharedEdges, SmallWindowIsTestedOnAllSides) {
+  expect_levels<TypeParam>({16, 96, 96}, {144, 0, 0}, {0, 1, 2, 3, 6});
 }
 
 }  // namespace

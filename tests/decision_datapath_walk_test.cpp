@@ -23,24 +23,29 @@ TYPED_TEST(DecisionDatapathWalkTest, CornerIsWhereGeometryPutsItOnRandomWalks) {
   EXPECT_EQ(walk.deepest, 9);
 }
 
+template <class Unit>
+class DecisionDatapathWalkKnobs : public testing::Test {};
+TYPED_TEST_SUITE(DecisionDatapathWalkKnobs, Twins);
+
+template <class Unit>
 void expect_wall_at(int depth, const knobs& k) {
-  Dut<decision_datapath> d(k);
-  Walk<decision_datapath> walk(d, depth, 200 + depth);
+  Dut<Unit> d(k);
+  Walk<Unit> walk(d, depth, 200 + depth);
   walk.run(100);
   EXPECT_EQ(walk.deepest, depth + 1);
 }
 
-TEST(DecisionDatapathWalkKnobs, MaxRoomDepth2ForcesTheWallAtDepth2) {
+TYPED_TEST(DecisionDatapathWalkKnobs, MaxRoomDepth2ForcesTheWallAtDepth2) {
   knobs k;
   k.max_room_depth = 2;
-  expect_wall_at(2, k);
+  expect_wall_at<TypeParam>(2, k);
 }
 
-TEST(DecisionDatapathWalkKnobs, MaxRoomDepthIsBoundByTheFaceStack) {
+TYPED_TEST(DecisionDatapathWalkKnobs, MaxRoomDepthIsBoundByTheFaceStack) {
   knobs k;
   k.max_room_depth = 14;
   k.face_stack_depth = 4;
-  expect_wall_at(3, k);
+  expect_wall_at<TypeParam>(3, k);
 }
 
 }  // namespace

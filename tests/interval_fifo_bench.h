@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sc/interval_fifo.h"
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -59,6 +60,6 @@ class IntervalFifoTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<interval_fifo>;
+using Twins = testing::Types<interval_fifo, rtl_twin<interval_fifo>>;
 
 }  // namespace racebeam

@@ -95,19 +95,32 @@ TYPED_TEST(IntervalFifoLinesTest, RandomLinesShowThePixelsOfThePlainList) {
   expect_pixels_of_reference(this->dut, 14, 60, Entries, 64);
 }
 
+template <class Unit>
+class IntervalFifoLinesKnobs : public testing::Test {};
+TYPED_TEST_SUITE(IntervalFifoLinesKnobs, Twins);
+
+template <class Unit>
 void expect_knobs(int entries, int bits) {
   knobs k;
   k.fifo_entries = entries;
   k.fifo_short_length_bits = bits;
-  Dut<interval_fifo> d(k);
+  Dut<Unit> d(k);
   expect_pixels_of_reference(d, 100 * entries + bits, 30, entries, 1 << bits);
 }
 
-TEST(IntervalFifoLinesKnobs, QueueOf3EntriesKeepsThePromises) { expect_knobs(3, 6); }
-TEST(IntervalFifoLinesKnobs, QueueOf64EntriesKeepsThePromises) { expect_knobs(64, 6); }
-TEST(IntervalFifoLinesKnobs, EntriesOf8PixelsKeepThePromises) { expect_knobs(10, 3); }
-TEST(IntervalFifoLinesKnobs, EntriesOf1024PixelsKeepThePromises) { expect_knobs(10, 10); }
-TEST(IntervalFifoLinesKnobs, SmallestQueueKeepsThePromises) { expect_knobs(3, 3); }
+TYPED_TEST(IntervalFifoLinesKnobs, QueueOf3EntriesKeepsThePromises) {
+  expect_knobs<TypeParam>(3, 6);
+}
+TYPED_TEST(IntervalFifoLinesKnobs, QueueOf64EntriesKeepsThePromises) {
+  expect_knobs<TypeParam>(64, 6);
+}
+TYPED_TEST(IntervalFifoLinesKnobs, EntriesOf8PixelsKeepThePromises) {
+  expect_knobs<TypeParam>(10, 3);
+}
+TYPED_TEST(IntervalFifoLinesKnobs, EntriesOf1024PixelsKeepThePromises) {
+  expect_knobs<TypeParam>(10, 10);
+}
+TYPED_TEST(IntervalFifoLinesKnobs, SmallestQueueKeepsThePromises) { expect_knobs<TypeParam>(3, 3); }
 
 }  // namespace
 }  // namespace racebeam

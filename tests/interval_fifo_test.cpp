@@ -168,10 +168,14 @@ TYPED_TEST(IntervalFifoTest, ResetDropsEverything) {
   EXPECT_TRUE(d.starving());
 }
 
-TEST(IntervalFifoKnobs, QueueOf3EntriesIsFullWith3) {
+template <class Unit>
+class IntervalFifoKnobs : public testing::Test {};
+TYPED_TEST_SUITE(IntervalFifoKnobs, Twins);
+
+TYPED_TEST(IntervalFifoKnobs, QueueOf3EntriesIsFullWith3) {
   knobs k;
   k.fifo_entries = 3;
-  Dut<interval_fifo> d(k);
+  Dut<TypeParam> d(k);
   EXPECT_TRUE(d.offer(1, 1));
   EXPECT_TRUE(d.offer(1, 2));
   EXPECT_EQ(d.fill(), 3);

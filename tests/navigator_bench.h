@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sc/navigator.h"
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -151,6 +152,6 @@ class NavigatorTest : public NavigatorBench<Unit, World> {
   }
 };
 
-using Twins = testing::Types<navigator>;
+using Twins = testing::Types<navigator, rtl_twin<navigator>>;
 
 }  // namespace racebeam

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sc/pixel_output.h"
+#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -66,6 +67,6 @@ class PixelOutputTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<pixel_output>;
+using Twins = testing::Types<pixel_output, rtl_twin<pixel_output>>;
 
 }  // namespace racebeam

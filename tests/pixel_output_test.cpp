@@ -146,23 +146,51 @@ TYPED_TEST(PixelOutputTest, LockIsBlankedOutsideTheVisibleArea) {
   EXPECT_EQ(d.uo(3, 2), 0x88);
 }
 
+template <class Unit>
+class PixelOutputKnobs : public testing::Test {};
+TYPED_TEST_SUITE(PixelOutputKnobs, Twins);
+
 // Knob dithering = off: odd lines are shaded as even ones are.
-TEST(PixelOutputKnobs, WithoutDitheringShadingBIsTheSameOnAllLines) {
+TYPED_TEST(PixelOutputKnobs, WithoutDitheringShadingBIsTheSameOnAllLines) {
   knobs k;
   k.dithering = 0;
-  Dut<pixel_output> d(k);
+  Dut<TypeParam> d(k);
   for (int face = 0; face < 3; ++face)
     for (int signs = 0; signs < 8; ++signs)
       for (const int y : {0, 1})
         EXPECT_EQ(d.value(face, signs, y, 1), Dithered[face][signs >> face & 1][0]);
 }
 
-TEST(PixelOutputKnobs, WithoutDitheringShadingAIsUnchanged) {
+TYPED_TEST(PixelOutputKnobs, WithoutDitheringShadingAIsUnchanged) {
   knobs k;
   k.dithering = 0;
-  Dut<pixel_output> d(k);
+  Dut<TypeParam> d(k);
   for (int face = 0; face < 3; ++face)
     for (const int y : {0, 1}) EXPECT_EQ(d.value(face, 7, y, 0), 3 - face);
+}
+
+// Knob dr_bits: the pattern is that of the direction in the scale of 10 bits.
+template <class Unit>
+void expect_pattern_of(int bits) {
+  knobs k;
+  k.dr_bits = bits;
+  Dut<Unit> d(k);
+  d.bench["lock_i"].drive(1);
+  std::mt19937 random(bits);
+  for (int n = 0; n < 1000; ++n) {
+    vec3 dr, chip;  // in the knob's scale, and in that of 10 bits
+    for (int a = 0; a < 3; ++a) {
+      dr[a] = wrap_signed(static_cast<int>(random()), bits);
+      chip[a] = rescaled(dr[a], bits, 10);
+    }
+    d.bench.drive("dr2", "_i", dr);
+    ASSERT_EQ(d.index(), (chip[0] >> 5 | chip[2] >> 4) & chip[1] >> 6 & 3) << n;
+  }
+}
+
+TYPED_TEST(PixelOutputKnobs, PatternOf8BitDirectionsIsTheChips) { expect_pattern_of<TypeParam>(8); }
+TYPED_TEST(PixelOutputKnobs, PatternOf13BitDirectionsIsTheChips) {
+  expect_pattern_of<TypeParam>(13);
 }
 
 }  // namespace

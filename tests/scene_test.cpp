@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "sc/rtl_twin.h"
 #include "sc/sequencer.h"
 #include "tb/unit_bench.h"
 
@@ -123,7 +124,7 @@ class SceneTest : public testing::Test {
   UnitBench bench{unit};
 };
 
-using Twins = testing::Types<scene>;
+using Twins = testing::Types<scene, rtl_twin<scene>>;
 TYPED_TEST_SUITE(SceneTest, Twins);
 
 // Contract 20.4.

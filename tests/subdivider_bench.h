@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sc/rtl_twin.h"
 #include "sc/subdivider.h"
 #include "tb/unit_bench.h"
 
@@ -70,6 +71,6 @@ class SubdividerTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<subdivider>;
+using Twins = testing::Types<subdivider, rtl_twin<subdivider>>;
 
 }  // namespace racebeam

@@ -176,19 +176,23 @@ TYPED_TEST(SubdividerOfferTest, IntervalNotEndingAt639DoesNotEndTheLine) {
   EXPECT_FALSE(d.get("line_done_o"));
 }
 
-TEST(SubdividerOfferKnobs, HurryThresholdMinus1NeverGivesUp) {
+template <class Unit>
+class SubdividerOfferKnobs : public testing::Test {};
+TYPED_TEST_SUITE(SubdividerOfferKnobs, Twins);
+
+TYPED_TEST(SubdividerOfferKnobs, HurryThresholdMinus1NeverGivesUp) {
   knobs k;
   k.hurry_threshold = -1;
-  Dut<subdivider> d(k);
+  Dut<TypeParam> d(k);
   for (const int pixels : {1, 2, 33, 640}) EXPECT_FALSE(gives_up(d, pixels)) << pixels;
   d.see("wall_i", 1);
   EXPECT_TRUE(d.get("emit_o")) << "walls are still hit";
 }
 
-TEST(SubdividerOfferKnobs, HurryThreshold639GivesUpTheWholeLine) {
+TYPED_TEST(SubdividerOfferKnobs, HurryThreshold639GivesUpTheWholeLine) {
   knobs k;
   k.hurry_threshold = 639;
-  Dut<subdivider> d(k);
+  Dut<TypeParam> d(k);
   EXPECT_TRUE(gives_up(d, 640));
 }
 

@@ -192,16 +192,21 @@ TYPED_TEST(SubdividerTest, StackCountSaturatesAndUnderflowsToARestart) {
   expect_ring(this->dut, 4);
 }
 
+template <class Unit>
+class SubdividerKnobs : public testing::Test {};
+TYPED_TEST_SUITE(SubdividerKnobs, Twins);
+
+template <class Unit>
 void expect_ring_of(int size) {
   knobs k;
   k.interval_stack_depth = size;
-  Dut<subdivider> d(k);
+  Dut<Unit> d(k);
   expect_ring(d, size);
 }
 
-TEST(SubdividerKnobs, RingOfOneEntry) { expect_ring_of(1); }
-TEST(SubdividerKnobs, RingOfTwoEntries) { expect_ring_of(2); }
-TEST(SubdividerKnobs, RingOf64Entries) { expect_ring_of(64); }
+TYPED_TEST(SubdividerKnobs, RingOfOneEntry) { expect_ring_of<TypeParam>(1); }
+TYPED_TEST(SubdividerKnobs, RingOfTwoEntries) { expect_ring_of<TypeParam>(2); }
+TYPED_TEST(SubdividerKnobs, RingOf64Entries) { expect_ring_of<TypeParam>(64); }
 
 }  // namespace
 }  // namespace racebeam

@@ -99,11 +99,15 @@ TYPED_TEST(SubdividerWalkTest, BisectionFindsEverySwitchingPixelOfALine) {
   expect_all_splits(this->dut, 639, 14);
 }
 
+template <class Unit>
+class SubdividerWalkKnobs : public testing::Test {};
+TYPED_TEST_SUITE(SubdividerWalkKnobs, Twins);
+
 // Halving 639 leaves one pixel after 10 clocks, the first of them RIGHT.
-TEST(SubdividerWalkKnobs, MidpointBisectionFindsEveryPixelInTenClocks) {
+TYPED_TEST(SubdividerWalkKnobs, MidpointBisectionFindsEveryPixelInTenClocks) {
   knobs k;
   k.bisection = BisectionMidpoint;
-  Dut<subdivider> d(k);
+  Dut<TypeParam> d(k);
   expect_all_splits(d, 639, 10);
 }
 
