@@ -23,10 +23,15 @@ void interval_fifo::seq() {
   const auto in = inputs();
   if (core_.idle(in, knobs_)) return;
   core_.clock(in, knobs_);
+  drive();
+  ack_o.drive(core_.ack(in, knobs_));  // again when the offer or the beam changes
+}
+
+// The outputs that are registers only; at power-up too.
+void interval_fifo::drive() {
   starving_o.drive(core_.starving(knobs_));
   display_o.drive(core_.display(knobs_));
   fill_o.drive(core_.fill(knobs_));
-  ack_o.drive(core_.ack(in, knobs_));  // again when the offer or the beam changes
 }
 
 // Without an offer there is no answer, and nothing else to listen to.

@@ -146,8 +146,10 @@ class interval_fifo : public interval_fifo_pins {
   interval_fifo(const sc_core::sc_module_name& name, const knobs& k);
 
  private:
+  void start_of_simulation() override { drive(); }
   void seq();
   void comb();
+  void drive();
   interval_fifo_core::inputs inputs() const;
 
   const knobs knobs_;

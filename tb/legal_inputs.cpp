@@ -9,7 +9,7 @@ namespace racebeam {
 
 namespace {
 
-enum Form { Unsigned, Signed, Below, OneBit, Room };
+enum Form { Unsigned, Signed, Below, OneBit, Room, Line };
 
 /// Inputs whose port is wider than the chip's value, or that have fewer values than bits.
 struct Rule {
@@ -46,6 +46,7 @@ constexpr Rule Rules[] = {
     {"hit_face", Below, 3},
     {"src", Below, 3},
     {"palette", Below, 4},
+    {"y_i", Line, FrameLines},
 };
 
 int formed(const Rule& rule, int raw) {
@@ -54,6 +55,7 @@ int formed(const Rule& rule, int raw) {
     case Signed: return wrap_signed(raw, rule.size);
     case Below: return raw % rule.size;
     case OneBit: return 1 << raw % rule.size;
+    case Line: return FirstLine + raw % rule.size;
     default: {
       const int room = raw & low_bits(rule.size);
       return room == low_bits(rule.size) ? SolidRoom : room;
