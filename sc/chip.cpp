@@ -15,7 +15,7 @@ namespace {
 template <class Unit, class... More>
 std::unique_ptr<typename Unit::pins> make(const unit_choices& choices, const char* name,
                                           const knobs& k, const More&... more) {
-  const unit_choice& choice = choices.of(name + 2);  // without u_
+  const unit_choice& choice = choices.of(Unit::unit_name);
   if (choice.driver == unit_choice::Rtl)
     return std::make_unique<rtl_twin<Unit>>(name, k, choice.plugin);
   if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const More&...>)

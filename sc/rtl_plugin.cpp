@@ -117,8 +117,7 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
   const fs::path variant = path.parent_path() / (unit + "." + joined(other, ".") + ".so");
   if (!fs::exists(variant, error) ||
       fs::last_write_time(variant, error) < fs::last_write_time(path, error))
-    build_rtl_plugin(unit, {(project_folder() / "rtl" / (unit + ".sv")).string()}, other,
-                     variant.string());
+    build_rtl_plugin(unit, {}, other, variant.string());
   return variant.string();
 }
 
@@ -127,7 +126,7 @@ std::vector<std::string> other_parameters(const std::string& plugin, const knobs
   return other_parameters(*instance_of(library, plugin), k);
 }
 
-void build_rtl_plugin(const std::string& unit, const std::vector<std::string>& sources,
+void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out) {
   const auto quoted = [](const std::string& word) {
     std::string text = "'";
@@ -138,6 +137,7 @@ void build_rtl_plugin(const std::string& unit, const std::vector<std::string>& s
   std::string command = quoted((project_folder() / "scripts/verilate").string()) + " " +
                         quoted(unit) + " " + quoted(fresh);
   for (const std::string& parameter : parameters) command += " " + quoted("-G" + parameter);
+  if (sources.empty()) sources = {(project_folder() / "rtl" / (unit + ".sv")).string()};
   for (const std::string& source : sources) command += " " + quoted(fs::absolute(source).string());
   const int status = std::system((command + " >" + quoted(log) + " 2>&1").c_str());
   std::ifstream in(log);

@@ -32,9 +32,9 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k);
 /// RtlError.
 std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k);
 
-/// Verilates RTL of a unit into the plug-in `out`, with parameters "Name=value". Throws RtlError
-/// with what Verilator says.
-void build_rtl_plugin(const std::string& unit, const std::vector<std::string>& sources,
+/// Verilates RTL of a unit, the unit's own if there are no `sources`, into the plug-in `out`, with
+/// parameters "Name=value". Throws RtlError with what Verilator says.
+void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out);
 
 /// One instance of verilated RTL behind the ports of a module.

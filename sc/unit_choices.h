@@ -28,14 +28,20 @@ struct unit_choices {
   }
 };
 
-/// The units of the chip, in the order of the contract. A scene file has timeline and scene_rom in
-/// the places of sequencer and scene.
-inline const std::vector<std::string>& chip_units() {
-  static const std::vector<std::string> units = {"vga_timing",        "sequencer",    "camera_unit",
-                                                 "ray_stepper",       "subdivider",   "stacks",
-                                                 "decision_datapath", "scene",        "navigator",
-                                                 "interval_fifo",     "pixel_output", "pwm_sound"};
-  return units;
+/// The units of the chip, in the order of the contract. For a scene file timeline and scene_rom
+/// take the places of sequencer and scene.
+inline std::vector<std::string> chip_units(bool scene_file) {
+  return {"vga_timing",        scene_file ? "timeline" : "sequencer",
+          "camera_unit",       "ray_stepper",
+          "subdivider",        "stacks",
+          "decision_datapath", scene_file ? "scene_rom" : "scene",
+          "navigator",         "interval_fifo",
+          "pixel_output",      "pwm_sound"};
+}
+
+/// Name of the instance that a unit is in chip.
+inline std::string instance_of(const std::string& unit) {
+  return "u_" + (unit == "timeline" ? "sequencer" : unit == "scene_rom" ? "scene" : unit);
 }
 
 }  // namespace racebeam

@@ -27,27 +27,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* Row = "{:<18} {:<7} {:>12} {:>12} {:>10}\n";
 
-unit_choices choices_of(const VerifyOptions& options, const knobs& k) {
-  unit_choices choices;
-  const auto lockstep = [](const std::string& plugin) {
-    return unit_choice{unit_choice::Model, true, plugin};
-  };
-  std::vector<std::string> units = options.units;
-  if (units.empty()) units.push_back("all");
-  for (const std::string& word : units) {
-    const auto equals = word.find('=');
-    const std::string unit = word.substr(0, equals);
-    if (word == "all") {
-      for (const std::string& each : chip_units()) choices.by_unit[each] = lockstep("");
-      continue;
-    }
-    check_unit(unit);
-    choices.by_unit[unit] =
-        lockstep(equals == std::string::npos ? "" : user_plugin(unit, word.substr(equals + 1), k));
-  }
-  return choices;
-}
-
 /// All units at once, in the chip, over frames spread over the show.
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
                                         const unit_choices& choices) {
@@ -80,13 +59,15 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   return verdicts;
 }
 
-UnitVerdict verify_at_random(const VerifyOptions& options, const std::string& unit,
-                             const std::string& plugin) {
-  UnitVerdict verdict = verify_unit(unit, plugin, static_cast<std::uint64_t>(options.random),
-                                    static_cast<unsigned>(options.seed));
+UnitVerdict verify_at_random(const VerifyOptions& options, const Show& show,
+                             const std::string& unit, const std::string& plugin) {
+  UnitVerdict verdict =
+      verify_unit({unit, plugin, show.standard_knobs(), show.program()},
+                  static_cast<std::uint64_t>(options.random), static_cast<unsigned>(options.seed));
   if (!verdict.first.empty())
-    verdict.first = fmt::format("{}\nrepeat: racebeam verify {} --frames 0 --random {} --seed {}\n",
-                                verdict.first, unit, options.random, options.seed);
+    verdict.first =
+        fmt::format("{}\nrepeat: racebeam verify {} --scene {} --frames 0 --random {} --seed {}\n",
+                    verdict.first, unit, options.scene, options.random, options.seed);
   return verdict;
 }
 
@@ -112,8 +93,10 @@ int command_verify(const VerifyOptions& options) {
   if (options.frames < 0 || options.frames > show.frames())
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  show.frames()));
-  const unit_choices choices = choices_of(options, show.standard_knobs());
-  check_tables(choices, show.program() != nullptr);
+  const UseOption use(show.standard_knobs(), show.program());
+  unit_choices choices;
+  if (options.units.empty()) use.lockstep(choices, "all");
+  for (const std::string& unit : options.units) use.lockstep(choices, unit);
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;
   // SystemC elaborates once in a process: each unit on random traffic has a process of its own.
@@ -121,7 +104,7 @@ int command_verify(const VerifyOptions& options) {
     if (options.random <= 0 || interrupted()) break;
     const std::string text = forked([&, name = unit, plugin = choice.plugin] {
       try {
-        return to_json(verify_at_random(options, name, plugin)).dump();
+        return to_json(verify_at_random(options, show, name, plugin)).dump();
       } catch (const RtlError& error) {
         return Json{{"refused", error.what()}}.dump();
       }

@@ -137,8 +137,8 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (plan.tracer) plan.level = "golden " + options.golden;
   for (const std::string& assignment : options.assignments) set_knob(plan.k, assignment);
   if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
-  for (const std::string& choice : options.units) use_units(plan.units, choice, plan.k);
-  check_tables(plan.units, show.program() != nullptr);
+  const UseOption use(plan.k, show.program());
+  for (const std::string& choice : options.units) use.use(plan.units, choice);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
   check_outputs(plan);

@@ -97,11 +97,11 @@ struct SignalBench::Platform {
 
 // Puts the RTL beside the models that are to run in lockstep.
 void SignalBench::Platform::watch() {
-  for (const std::string& unit : chip_units()) {
+  for (const std::string& unit : chip_units(options.program != nullptr)) {
     const unit_choice& choice = options.units.of(unit);
     if (!choice.lockstep) continue;
     for (auto* child : dut.get_child_objects())
-      if (child->basename() == "u_" + unit) {
+      if (child->basename() == instance_of(unit)) {
         locksteps.push_back(std::make_unique<Lockstep>(("lockstep_" + unit).c_str(), unit,
                                                        dynamic_cast<sc_core::sc_module&>(*child),
                                                        options.k, choice.plugin));
@@ -118,8 +118,9 @@ void SignalBench::seek(int frame) {
   platform_->dut.deposit(frame);
   const navigator_core place = fly_to(frame, platform_->options.k, platform_->options.program);
   for (auto& lockstep : platform_->locksteps) {
-    if (lockstep->unit() == "sequencer") lockstep->deposit_frame(frame);
-    if (lockstep->unit() == "navigator") lockstep->deposit_place(place.position_q, place.room_q);
+    const std::string instance = instance_of(lockstep->unit());
+    if (instance == "u_sequencer") lockstep->deposit_frame(frame);
+    if (instance == "u_navigator") lockstep->deposit_place(place.position_q, place.room_q);
   }
   platform_->next_frame = frame;
 }

@@ -6,25 +6,33 @@
 
 #include <string>
 
-#include "sc/knobs.h"
 #include "sc/unit_choices.h"
+#include "tb/plugin_maker.h"
 
 namespace racebeam {
 
-/// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=mine.so", or
-/// several with commas between; later ones replace earlier ones. SystemVerilog is verilated here,
-/// with the parameters that `k` asks for. Throws UsageError, RtlError, MissingTool.
-void use_units(unit_choices& choices, const std::string& text, const knobs& k);
+/// Reads choices for one chip.
+class UseOption {
+ public:
+  /// A chip with the knobs `k` that shows `program`; nullptr: the built-in demo.
+  UseOption(const knobs& k, const scene_program* program);
 
-/// The plug-in of a user's RTL: a .so as it is, a .sv verilated into a scratch folder that is
-/// removed when the program ends. Throws UsageError, RtlError, MissingTool.
-std::string user_plugin(const std::string& unit, const std::string& file, const knobs& k);
+  /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=mine.so", or
+  /// several with commas between; later ones replace earlier ones. SystemVerilog is verilated here.
+  /// Throws UsageError, RtlError, MissingTool.
+  void use(unit_choices& choices, const std::string& text) const;
 
-/// Refuses what a scene file cannot have: its rooms and shots are tables of the models. Throws
-/// UsageError.
-void check_tables(const unit_choices& choices, bool scene_file);
+  /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. Throws as
+  /// use() does.
+  void lockstep(unit_choices& choices, const std::string& text) const;
 
-/// A unit of the chip. Throws UsageError with the nearest name.
-void check_unit(const std::string& unit);
+ private:
+  void use_one(unit_choices& choices, const std::string& text) const;
+  unit_choice choice_of(const std::string& unit, const std::string& text) const;
+  void check_unit(const std::string& unit) const;
+
+  const bool scene_file_;
+  const PluginMaker plugins_;
+};
 
 }  // namespace racebeam

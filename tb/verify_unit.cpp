@@ -18,39 +18,41 @@ namespace {
 constexpr std::uint64_t Batch = 10000;  // clocks, then it looks
 
 template <class Unit>
-std::unique_ptr<sc_core::sc_module> make(const knobs& k) {
-  if constexpr (std::is_constructible_v<Unit, const char*, const knobs&>)
+std::unique_ptr<sc_core::sc_module> make(const knobs& k, const scene_program* program) {
+  if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const scene_program&>)
+    return std::make_unique<Unit>("model", k, *program);
+  else if constexpr (std::is_constructible_v<Unit, const char*, const scene_program&>)
+    return std::make_unique<Unit>("model", *program);
+  else if constexpr (std::is_constructible_v<Unit, const char*, const knobs&>)
     return std::make_unique<Unit>("model", k);
   else return std::make_unique<Unit>("model");
 }
 
 template <class... Units>
-std::unique_ptr<sc_core::sc_module> make_one_of(const std::string& unit, const knobs& k) {
+std::unique_ptr<sc_core::sc_module> make_one_of(const UnitUnderTest& dut) {
   std::unique_ptr<sc_core::sc_module> made;
-  ((unit == Units::unit_name ? void(made = make<Units>(k)) : void()), ...);
+  ((dut.unit == Units::unit_name ? void(made = make<Units>(dut.k, dut.program)) : void()), ...);
   return made;
 }
 
-std::unique_ptr<sc_core::sc_module> make_model(const std::string& unit, const knobs& k) {
-  return make_one_of<vga_timing, sequencer, camera_unit, ray_stepper, subdivider, stacks,
-                     decision_datapath, scene, navigator, interval_fifo, pixel_output, pwm_sound>(
-      unit, k);
+std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
+  return make_one_of<vga_timing, sequencer, timeline, camera_unit, ray_stepper, subdivider, stacks,
+                     decision_datapath, scene, scene_rom, navigator, interval_fifo, pixel_output,
+                     pwm_sound>(dut);
 }
 
 }  // namespace
 
-UnitVerdict verify_unit(const std::string& unit, const std::string& plugin, std::uint64_t clocks,
-                        unsigned seed) {
+UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed) {
   const auto start = std::chrono::steady_clock::now();
-  const knobs k;
-  const auto model = make_model(unit, k);
-  Lockstep lockstep("lockstep", unit, *model, k, plugin);
+  const auto model = make_model(dut);
+  Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
   UnitBench bench(*model, &lockstep.clk_i);
   RandomTraffic traffic(bench, seed);
   bench.between_edges([&] { traffic.next(); });
   while (lockstep.clocks() < clocks && !lockstep.first())
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
-  UnitVerdict verdict{unit, "random", lockstep.clocks(), lockstep.differences(), 0, ""};
+  UnitVerdict verdict{dut.unit, "random", lockstep.clocks(), lockstep.differences(), 0, ""};
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (lockstep.first()) verdict.first = lockstep.first()->text();
   return verdict;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sc/scene_program.h"
 #include "tb/lockstep.h"
 
 namespace racebeam {
@@ -19,10 +20,15 @@ struct UnitVerdict {
   std::string first;  ///< the first difference explained; empty if there is none
 };
 
-/// Compares model and RTL of `unit` over `clocks` clocks of RandomTraffic. `plugin`: empty for the
-/// unit's own RTL. Only one such comparison and nothing else of SystemC may happen in a process.
-/// Throws RtlError.
-UnitVerdict verify_unit(const std::string& unit, const std::string& plugin, std::uint64_t clocks,
-                        unsigned seed);
+/// A unit and what its twins are made for.
+struct UnitUnderTest {
+  std::string unit, plugin;  ///< plugin: empty for the unit's own RTL
+  knobs k;
+  const scene_program* program;  ///< for timeline and scene_rom
+};
+
+/// Compares model and RTL over `clocks` clocks of RandomTraffic. Only one such comparison and
+/// nothing else of SystemC may happen in a process. Throws RtlError.
+UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed);
 
 }  // namespace racebeam

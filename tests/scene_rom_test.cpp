@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "sc/rtl_twin.h"
+#include "tb/scene/program_tables.h"
 #include "tests/beside.h"
 
 namespace racebeam {
@@ -60,24 +60,6 @@ struct Answer {
   }
 };
 
-/// The table as rtl/scene_rom.sv reads it.
-std::string hex_rows(const scene_program& program) {
-  std::string text;
-  const auto word = [&](int value, char after) {
-    char digits[8];
-    std::snprintf(digits, sizeof digits, "%04x%c", static_cast<unsigned>(value & 0xffff), after);
-    text += digits;
-  };
-  for (const room_row& row : program.rooms) {
-    for (const int size : row.half_size) word(size, '_');
-    for (const int place : row.position) word(place, '_');
-    for (const auto& face : row.portals)
-      for (const portal_row& portal : face)
-        word(portal.back << RoomPortBits | portal.room, &portal == &row.portals[5][3] ? '\n' : '_');
-  }
-  return text;
-}
-
 /// The RTL with a table of its own.
 class scene_rom_rtl : public rtl_twin<scene_rom> {
  public:
@@ -92,7 +74,7 @@ class scene_rom_rtl : public rtl_twin<scene_rom> {
     const std::string table = fs::path(chips).replace_extension(".test.hex"),
                       plugin = fs::path(chips).replace_extension(".test.so"),
                       fresh = table + "." + std::to_string(getpid());
-    std::ofstream(fresh) << hex_rows(program);
+    std::ofstream(fresh) << room_table(program);
     fs::rename(fresh, table);
     if (!fs::exists(plugin) || fs::last_write_time(plugin) < fs::last_write_time(chips))
       build_rtl_plugin("scene_rom", {RACEBEAM_SOURCE_DIR "/rtl/scene_rom.sv"},

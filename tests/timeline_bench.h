@@ -12,7 +12,7 @@
 
 #include "sc/rtl_twin.h"
 #include "sc/timeline.h"
-#include "tb/scene/shot_table.h"
+#include "tb/scene/program_tables.h"
 #include "tests/beside.h"
 #include "tests/scratch_folder.h"
 

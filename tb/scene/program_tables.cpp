@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/scene/shot_table.h"
+#include "tb/scene/program_tables.h"
 
 #include <cstdio>
 
@@ -56,6 +56,21 @@ std::string shot_table(const scene_program& program) {
   shot_row end;
   end.frame = program.frames;
   return table + line_of(true, end);
+}
+
+std::string room_table(const scene_program& program) {
+  constexpr int WordDigits = 4;
+  std::string table;
+  for (const room_row& room : program.rooms) {
+    Row row;
+    row.add(room.half_size, WordDigits);
+    row.add(room.position, WordDigits);
+    for (const auto& face : room.portals)
+      for (const portal_row& portal : face)
+        row.add(portal.back << RoomPortBits | portal.room, WordDigits);
+    table += row.line();
+  }
+  return table;
 }
 
 }  // namespace racebeam

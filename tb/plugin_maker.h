@@ -1,0 +1,36 @@
+// PluginMaker: verilates, for one run, the RTL that cannot be built beforehand: a user's own, and
+// that of the units that read a scene's tables.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sc/knobs.h"
+#include "sc/scene_program.h"
+
+namespace racebeam {
+
+/// Plug-ins that are not the user's lie in a scratch folder that goes with the program.
+class PluginMaker {
+ public:
+  /// For chips with the knobs `k` that show `program`; nullptr: the built-in demo.
+  PluginMaker(const knobs& k, const scene_program* program) : knobs_(k), program_(program) {}
+
+  /// The plug-in of a unit's own RTL with the program's table; empty if the unit reads none, since
+  /// the chip finds that RTL itself. Throws RtlError, MissingTool.
+  std::string own(const std::string& unit) const;
+  /// The plug-in of a user's RTL: a .so as it is, a .sv or .v verilated. Throws UsageError,
+  /// RtlError, MissingTool.
+  std::string users(const std::string& unit, const std::string& file) const;
+
+ private:
+  std::vector<std::string> table_parameters(const std::string& unit) const;
+
+  knobs knobs_;
+  const scene_program* program_;
+};
+
+}  // namespace racebeam
