@@ -104,7 +104,8 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   place.signs = subdivider.signs();
   place.top_tag = top.tag;
   place.face_read = stacks.face(decision_datapath.depth_q, k);
-  look_up(program, s.scene_flags, decision_datapath.room_q, decision_datapath.look(place), place);
+  look_up(program, s.scene_flags, decision_datapath.room_q, decision_datapath.look(place, k),
+          place);
   place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
 
   // 12: the pins.
@@ -196,7 +197,7 @@ void fly(const sequencer_outputs& s, const knobs& k, const scene_program* progra
     in.nav_op = nav.op;
     in.nav_move = nav.move;
     in.velocity = s.velocity;
-    look_up(program, s.scene_flags, datapath.room_q, datapath.look(in), in);
+    look_up(program, s.scene_flags, datapath.room_q, datapath.look(in, k), in);
     navigator.clock(
         {s.nav_reset, s.start, s.start_room, in.active_start, datapath.corner_q, datapath.room_q},
         k);

@@ -38,13 +38,15 @@ int decision_datapath_core::decide(const vec3& dr, const knobs& k) const {
   return signs << 1 | (ge != inverted);
 }
 
-decision_datapath_core::lookup decision_datapath_core::look(const inputs& in) const {
+decision_datapath_core::lookup decision_datapath_core::look(const inputs& in,
+                                                            const knobs& k) const {
   if (in.nav_line) return {in.nav_axis, in.nav_negative ? 7 : 0, in.nav_portal, LookThrough};
   if (in.climb) {
     const bool beside = target_depth(in) == depth_q && target_portal(in) != portal_q;
     return {face_q, ~in.signs & 7, back_q, beside ? LookPrevious : LookThrough};
   }
-  if (in.leave && level_q < 4) return {face_q, ~in.signs & 7, back_q, LookNext};
+  if (in.leave && level_q < 4 && k.portals_per_face > 1)
+    return {face_q, ~in.signs & 7, back_q, LookNext};
   return {new_face(in.leave), in.signs, 0, LookThrough};
 }
 
@@ -289,7 +291,7 @@ void decision_datapath::seq() {
                     !core_.wall_q;
   if (idle && !tracer_reset_i.value() && !restart_i.value() && !nav_line_i.value()) return;
   const int face = core_.face_q;
-  const bool dom = core_.dom_q;
+  const bool dom = core_.dom_q, leaf = core_.level_q == 7;
   core_.clock(inputs(), knobs_);
   mask_o.drive(core_.mask());
   tag_o.drive(core_.tag());
@@ -300,7 +302,8 @@ void decision_datapath::seq() {
   hit_face_o.drive(core_.hit_face_q);
   fdata_o.drive(core_.face_code());
   decide();  // with the rays of before the edge; again when they change
-  if (core_.face_q != face || core_.dom_q != dom || knobs_.portals_per_face > 1)
+  if (core_.face_q != face || core_.dom_q != dom || (core_.level_q == 7) != leaf ||
+      knobs_.portals_per_face > 1)
     face_moved_.notify(sc_core::SC_ZERO_TIME);
 }
 
@@ -320,7 +323,7 @@ void decision_datapath::lookup() {
   in.nav_portal = nav_portal_i.value();
   in.neighbour = neighbour_i.value();
   in.top_tag = top_tag_i.value();
-  const auto look = core_.look(in);
+  const auto look = core_.look(in, knobs_);
   look_axis_o.drive(look.axis);
   look_signs_o.drive(look.signs);
   look_portal_o.drive(look.portal);

@@ -93,7 +93,7 @@ struct decision_datapath_core {
   };
   /// A climb looks back through the face the room was entered by, so does a move to the portal
   /// before or after; else the lookup follows the ray.
-  lookup look(const inputs& in) const;
+  lookup look(const inputs& in, const knobs& k) const;
   /// A room is entered: the face stack is written at this depth.
   bool face_write(const inputs& in) const {
     return in.leave && level_q == 7 && in.neighbour != SolidRoom;

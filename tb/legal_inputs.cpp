@@ -29,7 +29,7 @@ constexpr Rule Rules[] = {
     {"start_room", Unsigned, RoomBits},
     {"start_", Signed, NavigatorBits},
     {"room", Room, RoomBits},
-    {"nav_room", Unsigned, RoomBits},
+    {"nav_room", Below, (1 << RoomBits) - 1},  // the last is none
     {"neighbour", Room, RoomBits},
     {"tag", Unsigned, TagBits},
     {"top_tag", Unsigned, TagBits},

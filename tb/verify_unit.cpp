@@ -49,6 +49,8 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
   UnitBench bench(*model, &lockstep.clk_i);
   RandomTraffic traffic(bench, seed);
+  traffic.next();  // a reset: before it the registers have no value
+  bench.settle();
   bench.between_edges([&] { traffic.next(); });
   while (lockstep.clocks() < clocks && !lockstep.first())
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));

@@ -60,7 +60,7 @@ TYPED_TEST(DecisionDatapathBesideTest, NoInputIsMissedUnderRandomOnes) {
   };
   const auto check = [&] {
     const auto in = inputs();
-    const auto look = core.look(in);
+    const auto look = core.look(in, k);
     EXPECT_EQ(d.get("look_axis_o"), look.axis);
     EXPECT_EQ(d.get("look_signs_o"), look.signs);
     EXPECT_EQ(d.get("look_portal_o"), look.portal);
