@@ -95,6 +95,8 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
   verify->add_option("--random", options.random, "Clocks of random traffic for each unit")
       ->type_name("N")
       ->capture_default_str();
+  verify->add_option("--set", options.assignments, "Change a knob: see `racebeam knobs`")
+      ->type_name("KNOB=VALUE");
   verify->add_option("--seed", options.seed, "Of the random traffic")
       ->type_name("N")
       ->capture_default_str();

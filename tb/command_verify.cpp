@@ -15,6 +15,7 @@
 #include "tb/lockstep_report.h"
 #include "tb/open_show.h"
 #include "tb/progress.h"
+#include "tb/set_knob.h"
 #include "tb/signal_bench.h"
 #include "tb/use_option.h"
 #include "tb/verify_unit.h"
@@ -27,10 +28,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* Row = "{:<18} {:<7} {:>12} {:>12} {:>10}\n";
 
+/// The knobs as they were set, for a command that repeats a run.
+std::string set_text(const VerifyOptions& options) {
+  std::string text;
+  for (const std::string& assignment : options.assignments) text += " --set " + assignment;
+  return text;
+}
+
 /// All units at once, in the chip, over frames spread over the show.
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
-                                        const unit_choices& choices) {
-  const knobs k = show.standard_knobs();
+                                        const knobs& k, const unit_choices& choices) {
   const auto start = std::chrono::steady_clock::now();
   SignalBench bench({k, false, false, false, show.program(), choices});
   std::vector<int> frames;
@@ -51,23 +58,21 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
       const Raster raster(k.clocks_per_pixel, k.speed);
       const int frame = place_of(unit->first()->clock, frames, raster).frame;
       verdict.first = explain(*unit->first(), frames, raster,
-                              fmt::format("racebeam render {} --first {} --use {}=lockstep",
-                                          options.scene, frame, unit->unit()));
+                              fmt::format("racebeam render {} --first {} --use {}=lockstep{}",
+                                          options.scene, frame, unit->unit(), set_text(options)));
     }
     verdicts.push_back(verdict);
   }
   return verdicts;
 }
 
-UnitVerdict verify_at_random(const VerifyOptions& options, const Show& show,
-                             const std::string& unit, const std::string& plugin) {
-  UnitVerdict verdict =
-      verify_unit({unit, plugin, show.standard_knobs(), show.program()},
-                  static_cast<std::uint64_t>(options.random), static_cast<unsigned>(options.seed));
+UnitVerdict verify_at_random(const VerifyOptions& options, const UnitUnderTest& dut) {
+  UnitVerdict verdict = verify_unit(dut, static_cast<std::uint64_t>(options.random),
+                                    static_cast<unsigned>(options.seed));
   if (!verdict.first.empty())
-    verdict.first =
-        fmt::format("{}\nrepeat: racebeam verify {} --scene {} --frames 0 --random {} --seed {}\n",
-                    verdict.first, unit, options.scene, options.random, options.seed);
+    verdict.first = fmt::format(
+        "{}\nrepeat: racebeam verify {} --scene {} --frames 0 --random {} --seed {}{}\n",
+        verdict.first, dut.unit, options.scene, options.random, options.seed, set_text(options));
   return verdict;
 }
 
@@ -93,7 +98,10 @@ int command_verify(const VerifyOptions& options) {
   if (options.frames < 0 || options.frames > show.frames())
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  show.frames()));
-  const UseOption use(show.standard_knobs(), show.program());
+  knobs k = show.standard_knobs();
+  for (const std::string& assignment : options.assignments) set_knob(k, assignment);
+  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
+  const UseOption use(k, show.program());
   unit_choices choices;
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
@@ -104,7 +112,7 @@ int command_verify(const VerifyOptions& options) {
     if (options.random <= 0 || interrupted()) break;
     const std::string text = forked([&, name = unit, plugin = choice.plugin] {
       try {
-        return to_json(verify_at_random(options, show, name, plugin)).dump();
+        return to_json(verify_at_random(options, {name, plugin, k, show.program()})).dump();
       } catch (const RtlError& error) {
         return Json{{"refused", error.what()}}.dump();
       }
@@ -114,7 +122,7 @@ int command_verify(const VerifyOptions& options) {
     verdicts.push_back(from_json(answer));
   }
   if (options.frames > 0 && !interrupted())
-    for (const UnitVerdict& verdict : verify_in_chip(options, show, choices))
+    for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
       verdicts.push_back(verdict);
 
   bool differs = false;

@@ -12,8 +12,9 @@ namespace racebeam {
 struct VerifyOptions {
   std::vector<std::string> units;  ///< UNIT, UNIT=FILE or all; none: all
   std::string scene = "demo";
-  long long frames = 60;      ///< of the scene, evenly spread; 0: no chip traffic
-  long long random = 100000;  ///< clocks of random traffic for each unit
+  std::vector<std::string> assignments;  ///< knob=value
+  long long frames = 60;                 ///< of the scene, evenly spread; 0: no chip traffic
+  long long random = 100000;             ///< clocks of random traffic for each unit
   long long seed = 1;
   bool json = false;
 };

@@ -7,49 +7,43 @@
 
 namespace racebeam {
 
-namespace {
+LegalInputs::LegalInputs(const knobs& k) {
+  const bool portals = k.portals_per_face > 1;
+  const int portal_bits = portals ? PortalBits : 0;
+  const int room_bits = portals || k.free_flight ? RoomPortBits : RoomBits;
+  rules_ = {
+      {"dr1", Signed, k.dr_bits},
+      {"dr2", Signed, k.dr_bits},
+      {"delta", Signed, k.dr_bits + 1},
+      {"corner", Signed, k.corner_bits},
+      {"position", Signed, k.corner_bits},
+      {"half_size", Unsigned, k.corner_bits - 2},
+      {"nav_position", Signed, k.navigator_bits},
+      {"start_room", Unsigned, room_bits},
+      {"start_", Signed, k.navigator_bits},
+      {"room", Room, room_bits},
+      {"nav_room", Below, (1 << room_bits) - 1},  // the last is none
+      {"neighbour", Room, room_bits},
+      {"tag", Unsigned, TagBits + portal_bits},
+      {"top_tag", Unsigned, TagBits + portal_bits},
+      {"fdata", Unsigned, FaceBits + 2 * portal_bits},
+      {"fread", Unsigned, FaceBits + 2 * portal_bits},
+      {"back", Unsigned, portal_bits},
+      {"nav_portal", Unsigned, portal_bits},
+      {"look_portal", Unsigned, portal_bits},
+      {"look_way", Below, portals ? 3 : 1},
+      {"sp_", Below, k.interval_stack_depth},
+      {"step_size", OneBit, PixelBits},
+      {"look_axis", Below, 3},
+      {"nav_axis", Below, 3},
+      {"hit_face", Below, 3},
+      {"src", Below, 3},
+      {"palette", Below, TablePalette + 1},
+      {"y_i", Line, FrameLines},
+  };
+}
 
-enum Form { Unsigned, Signed, Below, OneBit, Room, Line };
-
-/// Inputs whose port is wider than the chip's value, or that have fewer values than bits.
-struct Rule {
-  const char* start;  ///< of the port's name
-  Form form;
-  int size;  ///< bits, or number of values
-};
-
-constexpr Rule Rules[] = {
-    {"dr1", Signed, DrBits},
-    {"dr2", Signed, DrBits},
-    {"delta", Signed, DrBits + 1},
-    {"corner", Signed, CornerBits},
-    {"position", Signed, CornerBits},
-    {"half_size", Unsigned, CornerBits - 2},
-    {"nav_position", Signed, NavigatorBits},
-    {"start_room", Unsigned, RoomBits},
-    {"start_", Signed, NavigatorBits},
-    {"room", Room, RoomBits},
-    {"nav_room", Below, (1 << RoomBits) - 1},  // the last is none
-    {"neighbour", Room, RoomBits},
-    {"tag", Unsigned, TagBits},
-    {"top_tag", Unsigned, TagBits},
-    {"fdata", Unsigned, FaceBits},
-    {"fread", Unsigned, FaceBits},
-    {"back", Unsigned, 0},
-    {"nav_portal", Unsigned, 0},
-    {"look_portal", Unsigned, 0},
-    {"look_way", Unsigned, 0},
-    {"sp_", Below, 4},
-    {"step_size", OneBit, 10},
-    {"look_axis", Below, 3},
-    {"nav_axis", Below, 3},
-    {"hit_face", Below, 3},
-    {"src", Below, 3},
-    {"palette", Below, 4},
-    {"y_i", Line, FrameLines},
-};
-
-int formed(const Rule& rule, int raw) {
+int LegalInputs::formed(const Rule& rule, int raw) {
   switch (rule.form) {
     case Unsigned: return raw & low_bits(rule.size);
     case Signed: return wrap_signed(raw, rule.size);
@@ -63,10 +57,8 @@ int formed(const Rule& rule, int raw) {
   }
 }
 
-}  // namespace
-
-int legal_input(const std::string& port, int raw) {
-  for (const Rule& rule : Rules)
+int LegalInputs::of(const std::string& port, int raw) const {
+  for (const Rule& rule : rules_)
     if (port.rfind(rule.start, 0) == 0) return formed(rule, raw);
   return raw;
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/random_traffic.h"
 
-#include "tb/legal_inputs.h"
-
 namespace racebeam {
 
 namespace {
@@ -18,7 +16,8 @@ int reset_value(const std::string& name) {
 
 }  // namespace
 
-RandomTraffic::RandomTraffic(UnitBench& bench, unsigned seed) : random_(seed) {
+RandomTraffic::RandomTraffic(UnitBench& bench, const knobs& k, unsigned seed)
+    : legal_(k), random_(seed) {
   for (UnitBench::Pin* pin : bench.pins())
     if (pin->input) inputs_.push_back({pin, Random, reset_value(pin->name)});
 }
@@ -52,7 +51,7 @@ void RandomTraffic::next() {
     }
     if (!begins && (input.manner == Held || (input.manner == Seldom && below(16) != 0))) continue;
     const int value = input.manner == Boundary ? boundary(pin.bits) : static_cast<int>(random_());
-    pin.drive(legal_input(pin.name, value & low_bits(pin.bits)));
+    pin.drive(legal_.of(pin.name, value & low_bits(pin.bits)));
   }
 }
 

@@ -11,14 +11,16 @@
 #include <random>
 #include <vector>
 
+#include "tb/legal_inputs.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
 
 class RandomTraffic {
  public:
-  /// For the inputs of the unit on `bench`; the same seed makes the same traffic.
-  RandomTraffic(UnitBench& bench, unsigned seed);
+  /// For the inputs of the unit on `bench`, in the widths of a chip with the knobs `k`; the same
+  /// seed makes the same traffic.
+  RandomTraffic(UnitBench& bench, const knobs& k, unsigned seed);
 
   /// New values for the next clock.
   void next();
@@ -35,6 +37,7 @@ class RandomTraffic {
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
   int boundary(int bits);
 
+  const LegalInputs legal_;
   std::mt19937 random_;
   std::vector<Input> inputs_;
   int left_ = 0;          // clocks of the episode

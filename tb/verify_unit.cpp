@@ -44,11 +44,11 @@ std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
 }  // namespace
 
 UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed) {
-  const auto start = std::chrono::steady_clock::now();
   const auto model = make_model(dut);
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
   UnitBench bench(*model, &lockstep.clk_i);
-  RandomTraffic traffic(bench, seed);
+  const auto start = std::chrono::steady_clock::now();
+  RandomTraffic traffic(bench, dut.k, seed);
   traffic.next();  // a reset: before it the registers have no value
   bench.settle();
   bench.between_edges([&] { traffic.next(); });

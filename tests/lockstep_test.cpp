@@ -23,7 +23,7 @@ class LockstepTest : public testing::Test {
   stacks model{"model", knobs{}};
   Lockstep lockstep{"lockstep", "stacks", model, knobs{}, ""};
   UnitBench bench{model, &lockstep.clk_i};
-  RandomTraffic traffic{bench, 7};
+  RandomTraffic traffic{bench, {}, 7};
 };
 
 TEST_F(LockstepTest, ModelAndRtlOfStacksAgreeOnRandomTraffic) {
