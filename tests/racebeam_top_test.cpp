@@ -72,6 +72,11 @@ TEST(RacebeamTop, PinsAreTheChipsForThreeFrames) {
   expect_pins_of_the_chip({}, 3 * 525 * LineClocks);
 }
 
+// Two seconds of the demo; minutes.
+TEST(RacebeamTop, DISABLED_PinsAreTheChipsForTwoSeconds) {
+  expect_pins_of_the_chip({}, 120 * 525 * LineClocks);
+}
+
 TEST(RacebeamTop, PinsAreTheChipsAtFullSpeedWithoutInterlace) {
   knobs k;
   k.speed = 7;

@@ -1,0 +1,62 @@
+# What another project gets from find_package(racebeam):
+#
+#   racebeam_add_unit_rtl(NAME <name> UNIT <unit> SOURCES <file>... [PARAMETERS <Name=value>...])
+#       verilates RTL that can stand in the place of a unit: a target rtl_<name>, whose property
+#       PLUGIN is the plug-in's path, and the target `rtl` of all of them
+#   racebeam::racebeam
+#       the program: racebeam verify <unit>=<plug-in>
+#
+# The first file of SOURCES has the module <unit>, with the ports of sc/<unit>.h.
+#
+# SPDX-FileCopyrightText: racebeam contributors
+# SPDX-License-Identifier: Apache-2.0
+get_filename_component(RACEBEAM_FOLDER ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+
+find_program(VERILATOR verilator)
+if(NOT VERILATOR)
+  set(racebeam_FOUND FALSE)
+  set(racebeam_NOT_FOUND_MESSAGE "verilator is not installed; install the package `verilator`")
+  return()
+endif()
+
+get_filename_component(RACEBEAM_PROGRAM ${RACEBEAM_FOLDER}/../../bin/racebeam ABSOLUTE)
+if(EXISTS ${RACEBEAM_PROGRAM} AND NOT TARGET racebeam::racebeam)
+  add_executable(racebeam::racebeam IMPORTED)
+  set_target_properties(racebeam::racebeam PROPERTIES IMPORTED_LOCATION ${RACEBEAM_PROGRAM})
+endif()
+
+if(NOT TARGET rtl)
+  add_custom_target(rtl ALL)
+endif()
+
+function(racebeam_add_unit_rtl)
+  cmake_parse_arguments(PARSE_ARGV 0 rtl "" "NAME;UNIT" "SOURCES;PARAMETERS")
+  foreach(needed NAME UNIT SOURCES)
+    if(NOT rtl_${needed})
+      message(FATAL_ERROR "racebeam_add_unit_rtl: ${needed} is missing; "
+                          "it is called with NAME name UNIT unit SOURCES file...")
+    endif()
+  endforeach()
+  if(rtl_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "racebeam_add_unit_rtl: what is ${rtl_UNPARSED_ARGUMENTS}?")
+  endif()
+  set(plugin ${CMAKE_BINARY_DIR}/rtl/${rtl_NAME}.so)
+  set(sources)
+  foreach(source IN LISTS rtl_SOURCES)
+    get_filename_component(source ${source} ABSOLUTE)
+    list(APPEND sources ${source})
+  endforeach()
+  list(TRANSFORM rtl_PARAMETERS PREPEND -G)
+  add_custom_command(
+    OUTPUT ${plugin}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/rtl
+    COMMAND ${CMAKE_COMMAND} -E env CXX=${CMAKE_CXX_COMPILER} ${RACEBEAM_FOLDER}/scripts/verilate
+            ${rtl_UNIT} ${plugin} ${rtl_PARAMETERS} ${sources}
+    DEPENDS ${sources} ${RACEBEAM_FOLDER}/rtl/racebeam_pkg.sv ${RACEBEAM_FOLDER}/scripts/verilate
+            ${RACEBEAM_FOLDER}/sc/rtl_glue.cc.in ${RACEBEAM_FOLDER}/sc/rtl_model.h
+    COMMENT "Verilating ${rtl_NAME}"
+    VERBATIM)
+  add_custom_target(rtl_${rtl_NAME} DEPENDS ${plugin})
+  set_property(TARGET rtl_${rtl_NAME} PROPERTY PLUGIN ${plugin})
+  add_dependencies(rtl rtl_${rtl_NAME})
+endfunction()
