@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/bench_chip.h"
+
+#include <memory>
+
+#include "tb/bench_process.h"
+#include "tb/signal_bench.h"
+
+namespace racebeam {
+
+namespace {
+
+// The seven parts of the demo (contract 17.7): name and a frame in the thick of it.
+struct PartRow {
+  const char* name;
+  int first_frame;
+};
+constexpr PartRow part_rows[] = {
+    {"pillars", 1000}, {"ray pattern", 2500}, {"tunnel", 5000},          {"heights, open", 7200},
+    {"twisted", 8960}, {"portals", 11000},    {"tunnel, narrow", 12500},
+};
+constexpr int MixFrame = 5000;  // tunnel
+
+void register_frames(const std::string& name, const std::shared_ptr<SignalBench>& bench, int first,
+                     const BenchOptions& options) {
+  set_up(benchmark::RegisterBenchmark(
+             name.c_str(),
+             [bench, first, frames = options.frames](benchmark::State& state) {
+               const auto before = bench->clocks();
+               for (auto _ : state) {
+                 bench->seek(first);
+                 for (int f = 0; f < frames; ++f) bench->render();
+               }
+               state.counters["clocks"] = benchmark::Counter(
+                   static_cast<double>(bench->clocks() - before), benchmark::Counter::kIsRate);
+             }),
+         options.repeats);
+}
+
+struct KernelUnit : sc_core::sc_module {
+  static constexpr int Wires = 4;
+  in_port<1> clk_i{"clk_i"};
+  wire<32> out[Wires];
+  const KernelUnit* from = nullptr;
+
+  explicit KernelUnit(const sc_core::sc_module_name& name) : sc_module(name) {
+    SC_HAS_PROCESS(KernelUnit);
+    SC_METHOD(seq);
+    sensitive << clk_i.pos();
+    dont_initialize();
+  }
+  void seq() {
+    for (int i = 0; i < Wires; ++i) out[i].write(from->out[i].read() + 2 * i + 1);
+  }
+};
+
+}  // namespace
+
+void register_kernel(int repeats) {
+  constexpr int Units = 8, Edges = 2'000'000;
+  auto clk = std::make_shared<sc_core::sc_clock>("clk", sc_core::sc_time(1, sc_core::SC_NS));
+  auto units = std::make_shared<std::vector<std::unique_ptr<KernelUnit>>>();
+  for (int i = 0; i < Units; ++i) {
+    units->push_back(std::make_unique<KernelUnit>(("unit" + std::to_string(i)).c_str()));
+    units->back()->clk_i(*clk);
+  }
+  for (int i = 0; i < Units; ++i) (*units)[i]->from = (*units)[(i + 1) % Units].get();
+  set_up(benchmark::RegisterBenchmark(
+             "kernel: 8 modules 32 signals",
+             [clk, units](benchmark::State& state) {
+               for (auto _ : state) sc_core::sc_start(sc_core::sc_time(Edges, sc_core::SC_NS));
+               state.counters["clocks"] = benchmark::Counter(Edges, benchmark::Counter::kIsRate);
+             }),
+         repeats);
+}
+
+void register_parts(const BenchOptions& options) {
+  const auto bench = std::make_shared<SignalBench>(SignalBench::Options{});
+  for (const auto& part : part_rows)
+    register_frames(std::string("signal: ") + part.name, bench, part.first_frame, options);
+}
+
+std::vector<ChipMix> chip_mixes() {
+  const unit_choice rtl{unit_choice::Rtl, false, ""}, lockstep{unit_choice::Model, true, ""};
+  std::vector<ChipMix> mixes = {{"all models", {}}};
+  ChipMix all_rtl{"all RTL", {}}, all_lockstep{"all in lockstep", {}};
+  for (const std::string& unit : chip_units(false)) {
+    mixes.push_back({unit + " RTL", {{{unit, rtl}}}});
+    all_rtl.units.by_unit[unit] = rtl;
+    all_lockstep.units.by_unit[unit] = lockstep;
+  }
+  mixes.push_back(all_rtl);
+  mixes.push_back(all_lockstep);
+  return mixes;
+}
+
+void register_mix(const ChipMix& mix, const BenchOptions& options) {
+  const SignalBench::Options chip{{}, false, false, false, nullptr, mix.units};
+  register_frames("mix: " + mix.name, std::make_shared<SignalBench>(chip), MixFrame, options);
+}
+
+}  // namespace racebeam
