@@ -211,7 +211,19 @@ void rtl_instance::value::write(int value) const {
 }
 
 void rtl_instance::settle() {
-  for (const input& in : inputs_) in.rtl.write(in.pin->wire_value());
+  bool moved = !settled_;
+  if (!settled_)  // the wires are bound by now
+    for (auto* side : {&inputs_, &outputs_})
+      for (joint& port : *side) port.wire = port.pin->contents();
+  settled_ = true;
+  for (joint& in : inputs_) {
+    const int now = in.wire.value();
+    if (now == in.last) continue;
+    in.last = now;
+    in.rtl.write(now);
+    moved = true;
+  }
+  if (!moved) return;
   if (clock_) *clock_ = 0;
   evaluate();
 }
@@ -227,7 +239,12 @@ void rtl_instance::edge() {
 }
 
 void rtl_instance::drive() {
-  for (const output& out : outputs_) out.pin->drive_wire(out.rtl.read());
+  for (joint& out : outputs_) {
+    const int now = out.rtl.read();
+    if (now == out.last) continue;
+    out.last = now;
+    out.pin->drive_wire(now);
+  }
 }
 
 void rtl_instance::seek(int frame) {
@@ -249,6 +266,7 @@ void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>&
                                  int edges) {
   for (const auto& [name, value] : inputs) port(name).write(value);
   for (; edges > 0; --edges) edge();
+  for (joint& in : inputs_) in.last = NoValue;
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {

@@ -57,7 +57,7 @@ class rtl_instance {
   void seek(int frame);
   void place(const vec3& position, int room);
 
-  /// A port of the RTL by name, to be read or, between settle() and edge(), written.
+  /// A port of the RTL.
   class value {
    public:
     explicit value(const rtl_port& port) : port_(&port) {}
@@ -70,31 +70,29 @@ class rtl_instance {
    private:
     const rtl_port* port_;
   };
-  value port(const std::string& name) const;
-  /// Evaluates after write().
-  void evaluate() { model_->eval(model_->top); }
 
-  /// An output of both sides.
-  struct output {
+  /// An input or output of both sides; the clock is none of them.
+  struct joint {
     any_port* pin;
     value rtl;
+    wire_contents wire{};  ///< once it has settled
+    int last = NoValue;    ///< written to the RTL, or driven onto the wire
   };
-  const std::vector<output>& outputs() const { return outputs_; }
-  /// An input of both sides, but the clock.
-  struct input {
-    any_port* pin;
-    value rtl;
-  };
-  const std::vector<input>& inputs() const { return inputs_; }
+  const std::vector<joint>& inputs() const { return inputs_; }
+  const std::vector<joint>& outputs() const { return outputs_; }
 
  private:
+  static constexpr int NoValue = -1;
+
+  value port(const std::string& name) const;
+  void evaluate() { model_->eval(model_->top); }
   void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
 
   std::shared_ptr<void> library_;
   std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
-  std::vector<input> inputs_;
-  std::vector<output> outputs_;
+  std::vector<joint> inputs_, outputs_;
   std::uint8_t* clock_ = nullptr;  // nullptr: the unit has none
+  bool settled_ = false;           // at least once
 };
 
 }  // namespace racebeam

@@ -25,6 +25,15 @@ using wire_type = std::conditional_t<Bits == 1, bool, sc_dt::sc_uint<Bits>>;
 template <int Bits>
 using wire = sc_core::sc_signal<wire_type<Bits>, sc_core::SC_UNCHECKED_WRITERS>;
 
+/// What a wire carries, read without a virtual call; one of the pointers is nullptr.
+struct wire_contents {
+  const bool* bit = nullptr;
+  const sc_dt::sc_uint_base* word = nullptr;
+
+  /// The raw bits.
+  int value() const { return bit ? *bit : static_cast<int>(word->value()); }
+};
+
 /// A port whose width is not in the type: for what treats all ports alike.
 class any_port {
  public:
@@ -32,13 +41,19 @@ class any_port {
   virtual const char* port_name() const = 0;
   virtual int bits() const = 0;
   virtual bool is_input() const = 0;
-  /// The raw bits of its wire.
-  virtual int wire_value() const = 0;
+  /// Its wire; from the end of elaboration on.
+  virtual wire_contents contents() const = 0;
   /// Drives an output.
   virtual void drive_wire(int value) = 0;
   /// Makes a process sensitive to an input.
   virtual void sense(sc_core::sc_sensitive& process) = 0;
 };
+
+template <int Bits>
+wire_contents contents_of(const wire_type<Bits>& value) {
+  if constexpr (Bits == 1) return {&value, nullptr};
+  else return {nullptr, &value};
+}
 
 /// All ports of a module, in the order of declaration.
 inline std::vector<any_port*> ports_of(const sc_core::sc_module& module) {
@@ -57,7 +72,7 @@ class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
   const char* port_name() const override { return this->basename(); }
   int bits() const override { return Bits; }
   bool is_input() const override { return true; }
-  int wire_value() const override { return value(); }
+  wire_contents contents() const override { return contents_of<Bits>(*channel_value_); }
   void drive_wire(int) override {}
   void sense(sc_core::sc_sensitive& process) override { process << *this; }
 
@@ -91,7 +106,7 @@ class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port 
   const char* port_name() const override { return this->basename(); }
   int bits() const override { return Bits; }
   bool is_input() const override { return false; }
-  int wire_value() const override { return static_cast<int>((*this)->read()); }
+  wire_contents contents() const override { return contents_of<Bits>((*this)->read()); }
   void drive_wire(int value) override { drive(value); }
   void sense(sc_core::sc_sensitive&) override {}
 

@@ -25,7 +25,7 @@ void Lockstep::compare() {
   bool differs = false;
   const auto& outputs = rtl_.outputs();
   for (std::size_t n = 0; n < outputs.size() && clocks_ > 0; ++n) {
-    const int expected = outputs[n].pin->wire_value();
+    const int expected = outputs[n].wire.value();
     int got = outputs[n].rtl.read();
     if (inversion_ && inversion_->output == n && inversion_->clock == clocks_)
       got ^= 1 << inversion_->bit;
@@ -41,11 +41,12 @@ void Lockstep::compare() {
 void Lockstep::remember() {
   if (first_) return;
   std::vector<int>& row = history_[clocks_ % history_.size()];
-  row.clear();
-  for (const auto& in : rtl_.inputs()) row.push_back(in.rtl.read());
+  row.resize(rtl_.inputs().size() + 2 * rtl_.outputs().size());
+  int* to = row.data();
+  for (const auto& in : rtl_.inputs()) *to++ = in.last;
   for (const auto& out : rtl_.outputs()) {
-    row.push_back(out.pin->wire_value());
-    row.push_back(out.rtl.read());
+    *to++ = out.wire.value();
+    *to++ = out.rtl.read();
   }
 }
 
