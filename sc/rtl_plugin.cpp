@@ -32,10 +32,12 @@ std::shared_ptr<void> load(const std::string& path) {
   throw RtlError(path + " cannot be loaded: " + dlerror());
 }
 
-rtl_model* make(const std::shared_ptr<void>& library, const std::string& path) {
+std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void>& library,
+                                                      const std::string& path) {
   const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make"));
   if (!maker) throw RtlError(path + " is no plug-in; make one with scripts/verilate");
-  return maker();
+  rtl_model* model = maker();
+  return {model, model->destroy};
 }
 
 // interval_stack_depth -> IntervalStackDepth
@@ -86,11 +88,10 @@ std::string widths(int wanted, int got) {
          std::to_string(wanted);
 }
 
-using Model = std::unique_ptr<rtl_model, void (*)(rtl_model*)>;
-
-Model instance_of(const std::shared_ptr<void>& library, const std::string& path) {
-  rtl_model* model = make(library, path);
-  return {model, model->destroy};
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
 }
 
 fs::path program_folder() {
@@ -103,6 +104,26 @@ fs::path project_folder() {
   std::error_code error;
   const fs::path installed = program_folder() / "../share/racebeam";
   return fs::exists(installed / "scripts/verilate", error) ? installed : fs::path(RACEBEAM_ROOT);
+}
+
+/// Runs scripts/verilate: the plug-in appears whole or not at all. Throws RtlError.
+void verilate(const std::string& switches, const std::string& module, const std::string& options,
+              const std::vector<std::string>& sources, const std::string& out) {
+  const std::string log = out + ".log", fresh = out + "." + std::to_string(getpid());
+  std::string command = quoted((project_folder() / "scripts/verilate").string()) + switches + " " +
+                        quoted(module) + " " + quoted(fresh) + options;
+  for (const std::string& source : sources) command += " " + quoted(fs::absolute(source).string());
+  const int status = std::system((command + " >" + quoted(log) + " 2>&1").c_str());
+  std::ifstream in(log);
+  const std::string said{std::istreambuf_iterator<char>(in), {}};
+  std::error_code ignored;
+  fs::remove(log, ignored);
+  if (status != 0) {
+    fs::remove(fresh, ignored);
+    throw RtlError("the RTL of " + module + " (" + joined(sources, ", ") +
+                   ") cannot be verilated:\n" + said);
+  }
+  fs::rename(fresh, out);
 }
 
 }  // namespace
@@ -122,45 +143,34 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
 }
 
 std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k) {
-  const auto library = load(plugin);
-  return other_parameters(*instance_of(library, plugin), k);
+  return other_parameters(rtl_library(plugin).model(), k);
 }
 
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out) {
-  const auto quoted = [](const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    return text + "'";
-  };
-  const std::string log = out + ".log", fresh = out + "." + std::to_string(getpid());
-  std::string command = quoted((project_folder() / "scripts/verilate").string()) + " " +
-                        quoted(unit) + " " + quoted(fresh);
-  for (const std::string& parameter : parameters) command += " " + quoted("-G" + parameter);
   if (sources.empty()) sources = {(project_folder() / "rtl" / (unit + ".sv")).string()};
-  for (const std::string& source : sources) command += " " + quoted(fs::absolute(source).string());
-  const int status = std::system((command + " >" + quoted(log) + " 2>&1").c_str());
-  std::ifstream in(log);
-  const std::string said{std::istreambuf_iterator<char>(in), {}};
-  std::error_code ignored;
-  fs::remove(log, ignored);
-  if (status != 0) {
-    fs::remove(fresh, ignored);
-    throw RtlError("the RTL of " + unit + " (" + joined(sources, ", ") +
-                   ") cannot be verilated:\n" + said);
-  }
-  fs::rename(fresh, out);
+  std::string options;
+  for (const std::string& parameter : parameters) options += " " + quoted("-G" + parameter);
+  verilate("", unit, options, sources, out);
 }
+
+void build_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
+                       const std::string& out) {
+  verilate(" --registered", top, "", sources, out);
+}
+
+rtl_library::rtl_library(const std::string& plugin)
+    : library_(load(plugin)), model_(make(library_, plugin)) {}
 
 rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
                            const std::vector<any_port*>& pins, const knobs& k)
-    : library_(load(plugin)), model_(instance_of(library_, plugin)) {
-  if (unit != model_->unit)
-    throw RtlError(plugin + " holds the unit " + model_->unit + ", not " + unit);
+    : library_(plugin) {
+  if (unit != model().unit)
+    throw RtlError(plugin + " holds the unit " + model().unit + ", not " + unit);
   std::string faults;
   const auto fault = [&](const std::string& text) { faults += "\n  " + text; };
   std::vector<const rtl_port*> unknown;
-  for (int n = 0; n < model_->port_count; ++n) unknown.push_back(&model_->ports[n]);
+  for (int n = 0; n < model().port_count; ++n) unknown.push_back(&model().ports[n]);
   for (any_port* pin : pins) {
     const auto at = std::find_if(unknown.begin(), unknown.end(), [&](const rtl_port* port) {
       return std::strcmp(port->name, pin->port_name()) == 0;
@@ -187,7 +197,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
   if (!faults.empty())
     throw RtlError(plugin + " does not fit the unit " + unit + "; sc/" + unit +
                    ".h has its ports:" + faults);
-  const auto other = other_parameters(*model_, k);
+  const auto other = other_parameters(model(), k);
   if (!other.empty())
     throw RtlError(plugin + " was built with other parameters; build it with " +
                    joined(other, ", "));
@@ -252,8 +262,8 @@ void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>&
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {
-  for (int n = 0; n < model_->port_count; ++n)
-    if (name == model_->ports[n].name) return value(model_->ports[n]);
+  for (int n = 0; n < model().port_count; ++n)
+    if (name == model().ports[n].name) return value(model().ports[n]);
   throw RtlError("the RTL has no port " + name);
 }
 

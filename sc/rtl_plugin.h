@@ -37,6 +37,22 @@ std::vector<std::string> other_parameters(const std::string& plugin, const knobs
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out);
 
+/// The same of a whole chip, whose inputs, but `clk`, pass a register: they count one clock later.
+void build_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
+                       const std::string& out);
+
+/// One instance of what a plug-in holds, with the library that it lives in.
+class rtl_library {
+ public:
+  /// Throws RtlError: no such file, or no plug-in.
+  explicit rtl_library(const std::string& plugin);
+  const rtl_model& model() const { return *model_; }
+
+ private:
+  std::shared_ptr<void> library_;
+  std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
+};
+
 /// One instance of verilated RTL behind the ports of a module.
 class rtl_instance {
  public:
@@ -72,7 +88,7 @@ class rtl_instance {
   };
   value port(const std::string& name) const;
   /// Evaluates after write().
-  void evaluate() { model_->eval(model_->top); }
+  void evaluate() { model().eval(model().top); }
 
   /// An output of both sides.
   struct output {
@@ -89,9 +105,9 @@ class rtl_instance {
 
  private:
   void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
+  const rtl_model& model() const { return library_.model(); }
 
-  std::shared_ptr<void> library_;
-  std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
+  rtl_library library_;
   std::vector<input> inputs_;
   std::vector<output> outputs_;
   std::uint8_t* clock_ = nullptr;  // nullptr: the unit has none
