@@ -75,7 +75,7 @@ int command_render(const RenderOptions& options) {
   const RenderPlan plan = plan_render(options);
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
-  RenderFiles files(plan);
+  RenderFiles files(plan, plan.manifest());
   SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program(), plan.units});
   StatsReport report(plan.show.name(), plan.level, plan.k);
   std::exception_ptr failure;

@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "sc/constants.h"
-#include "tb/manifest.h"
 
 namespace racebeam {
 
@@ -56,7 +56,8 @@ std::vector<fs::path> make_folder(const std::string& folder) {
 
 }  // namespace
 
-RenderFiles::RenderFiles(const RenderPlan& plan) : plan_(plan) {
+RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
+    : plan_(plan), what_(std::move(manifest)) {
   std::vector<fs::path> made;
   if (!plan_.folder.empty()) made = make_folder(plan_.folder);
   try {
@@ -110,11 +111,7 @@ void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
 }
 
 std::string RenderFiles::manifest() const {
-  Manifest manifest;
-  manifest.scene = plan_.show.name();
-  manifest.scene_hash = plan_.show.hash();
-  manifest.level = plan_.level;
-  manifest.k = plan_.k;
+  Manifest manifest = what_;
   manifest.command = plan_.command;
   manifest.first_frame = plan_.first;
   manifest.every = plan_.every;

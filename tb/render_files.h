@@ -13,6 +13,7 @@
 
 #include "tb/gif_writer.h"
 #include "tb/image_files.h"
+#include "tb/manifest.h"
 #include "tb/render_options.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
@@ -21,8 +22,9 @@ namespace racebeam {
 
 class RenderFiles {
  public:
-  /// Makes the folder and tries whether every file can be written. Throws OutputError.
-  explicit RenderFiles(const RenderPlan& plan);
+  /// Makes the folder and tries whether every file can be written. `manifest` says what is
+  /// rendered; what belongs to the plan and to the files is added. Throws OutputError.
+  RenderFiles(const OutputPlan& plan, Manifest manifest);
 
   /// A whole frame. Throws OutputError.
   void add(int frame, const std::string& part, const VgaFrame& picture);
@@ -41,7 +43,8 @@ class RenderFiles {
   std::string in_folder(const std::string& name) const;
   std::string manifest() const;
 
-  const RenderPlan plan_;
+  const OutputPlan plan_;
+  const Manifest what_;
   int frames_ = 0;
   std::vector<std::string> in_folder_;  // names of the files in the folder
   std::vector<SheetFrame> sheet_;
