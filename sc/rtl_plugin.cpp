@@ -5,9 +5,8 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cctype>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -162,41 +161,53 @@ void build_chip_plugin(const std::string& top, const std::vector<std::string>& s
 rtl_library::rtl_library(const std::string& plugin)
     : library_(load(plugin)), model_(make(library_, plugin)) {}
 
+const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name) {
+  for (int n = 0; n < model.port_count; ++n)
+    if (name == model.ports[n].name) return model.ports[n];
+  throw RtlError("the RTL has no port " + name);
+}
+
+std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& wanted) {
+  std::string faults;
+  const auto fault = [&](const std::string& text) { faults += "\n  port " + text; };
+  const auto kind = [](bool is_input) { return is_input ? "input" : "output"; };
+  std::map<std::string, const rtl_port*> unknown;
+  for (int n = 0; n < model.port_count; ++n) unknown[model.ports[n].name] = &model.ports[n];
+  for (const rtl_pin& pin : wanted) {
+    const auto at = unknown.find(pin.name);
+    if (at == unknown.end()) {
+      fault(pin.name + " is missing: " + kind(pin.is_input) + ", " + std::to_string(pin.bits) +
+            (pin.bits == 1 ? " bit" : " bits"));
+      continue;
+    }
+    const rtl_port& port = *at->second;
+    if (port.is_input != pin.is_input)
+      fault(pin.name + " is an " + kind(port.is_input) + " instead of an " + kind(pin.is_input));
+    else if (port.bits != pin.bits) fault(pin.name + " is " + widths(pin.bits, port.bits));
+    unknown.erase(at);
+  }
+  for (const auto& [name, port] : unknown) fault(name + " is not a port of the unit");
+  return faults;
+}
+
 rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
                            const std::vector<any_port*>& pins, const knobs& k)
     : library_(plugin) {
   if (unit != model().unit)
     throw RtlError(plugin + " holds the unit " + model().unit + ", not " + unit);
-  std::string faults;
-  const auto fault = [&](const std::string& text) { faults += "\n  " + text; };
-  std::vector<const rtl_port*> unknown;
-  for (int n = 0; n < model().port_count; ++n) unknown.push_back(&model().ports[n]);
-  for (any_port* pin : pins) {
-    const auto at = std::find_if(unknown.begin(), unknown.end(), [&](const rtl_port* port) {
-      return std::strcmp(port->name, pin->port_name()) == 0;
-    });
-    const std::string name = pin->port_name();
-    if (at == unknown.end()) {
-      fault("port " + name + " is missing: " + (pin->is_input() ? "input" : "output") + ", " +
-            std::to_string(pin->bits()) + (pin->bits() == 1 ? " bit" : " bits"));
-      continue;
-    }
-    const rtl_port& port = **at;
-    unknown.erase(at);
-    if (port.is_input != pin->is_input())
-      fault("port " + name + " is an " + (port.is_input ? "input" : "output") + " instead of an " +
-            (port.is_input ? "output" : "input"));
-    else if (port.bits != pin->bits())
-      fault("port " + name + " is " + widths(pin->bits(), port.bits));
-    else if (name == Clock) clock_ = static_cast<std::uint8_t*>(port.data);
-    else if (pin->is_input()) inputs_.push_back({pin, value(port)});
-    else outputs_.push_back({pin, value(port)});
-  }
-  for (const rtl_port* port : unknown)
-    fault("port " + std::string(port->name) + " is not a port of the unit");
+  std::vector<rtl_pin> wanted;
+  for (const any_port* pin : pins)
+    wanted.push_back({pin->port_name(), pin->is_input(), pin->bits()});
+  const std::string faults = port_faults(model(), wanted);
   if (!faults.empty())
     throw RtlError(plugin + " does not fit the unit " + unit + "; sc/" + unit +
                    ".h has its ports:" + faults);
+  for (any_port* pin : pins) {
+    const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
+    if (pin->port_name() == std::string(Clock)) clock_ = static_cast<std::uint8_t*>(rtl.data);
+    else if (pin->is_input()) inputs_.push_back({pin, value(rtl)});
+    else outputs_.push_back({pin, value(rtl)});
+  }
   const auto other = other_parameters(model(), k);
   if (!other.empty())
     throw RtlError(plugin + " was built with other parameters; build it with " +
@@ -262,9 +273,7 @@ void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>&
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {
-  for (int n = 0; n < model().port_count; ++n)
-    if (name == model().ports[n].name) return value(model().ports[n]);
-  throw RtlError("the RTL has no port " + name);
+  return value(rtl_port_of(model(), name));
 }
 
 }  // namespace racebeam

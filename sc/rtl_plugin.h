@@ -41,6 +41,20 @@ void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
 void build_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
                        const std::string& out);
 
+/// A port by its name. Throws RtlError if there is none.
+const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name);
+
+/// A port that RTL must have.
+struct rtl_pin {
+  std::string name;
+  bool is_input;
+  int bits;
+};
+
+/// What of the ports of `model` does not fit: missing, extra, wrongly sized, an input instead of an
+/// output; a line of its own for each, empty if all fit.
+std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& wanted);
+
 /// One instance of what a plug-in holds, with the library that it lives in.
 class rtl_library {
  public:

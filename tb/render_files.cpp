@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "sc/constants.h"
+#include "tb/console.h"
 
 namespace racebeam {
 
@@ -93,6 +95,27 @@ void RenderFiles::add_difference(int frame, const std::vector<std::uint8_t>& col
   if (plan_.folder.empty()) return;
   in_folder_.push_back(difference_name(frame));
   write_png(in_folder(in_folder_.back()), colours, VisibleColumns, VisibleRows);
+}
+
+void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* sound,
+                      const std::function<std::string()>& stats) {
+  std::exception_ptr failure;
+  try {
+    render();
+  } catch (const SyncError&) {
+    failure = std::current_exception();
+  } catch (const OutputError&) {
+    failure = std::current_exception();
+  }
+  try {
+    finish(sound, stats());  // what belongs to the whole frames so far
+  } catch (const OutputError&) {
+    if (!failure) throw;
+    std::rethrow_exception(failure);
+  }
+  if (!failure) return;
+  tell("stopped early; kept " + summary());
+  std::rethrow_exception(failure);
 }
 
 void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {

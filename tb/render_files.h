@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,11 @@ class RenderFiles {
 
   /// Where a whole frame differs from the golden tracers; into the folder. Throws OutputError.
   void add_difference(int frame, const std::vector<std::uint8_t>& colours);
+
+  /// Calls `render`, which adds frames, and then finish(). If either throws SyncError or
+  /// OutputError, what belongs to the whole frames is kept, which is told, and that is thrown on.
+  void run(const std::function<void()>& render, const SoundMonitor* sound,
+           const std::function<std::string()>& stats);
 
   /// Writes what belongs to the frames added so far, which may be fewer than planned. `sound` may
   /// be nullptr. Throws OutputError.
