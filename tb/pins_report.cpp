@@ -99,7 +99,7 @@ std::string PinsReport::table_header() const {
       project_.top, project_.clock_hz, project_.clocks_per_pixel, polarity(raster.hsync_pulse),
       raster.line_clocks(), polarity(raster.vsync_pulse), raster.frame_clocks());
   if (const int late = found_.picture_late; late != 0)
-    text += fmt::format("the picture comes {} clock{} {} after hsync; it was moved back\n",
+    text += fmt::format("the picture comes {} clock{} {} for its hsync; it was moved back\n",
                         std::abs(late), std::abs(late) == 1 ? "" : "s",
                         late > 0 ? "too late" : "too early");
   return text + fmt::format(Row, "frame", "colours", "uo_out toggles") +

@@ -49,7 +49,15 @@ TtChip::TtChip(const std::string& plugin, const std::string& folder, int ui, int
   pin("ui_in") = static_cast<std::uint8_t>(ui);
   pin("uio_in") = static_cast<std::uint8_t>(uio);
   const WorkingFolder here(folder);  // $readmemh reads in the first evaluation
-  library_.model().eval(library_.model().top);
+  evaluate();
+}
+
+void TtChip::evaluate() {
+  try {
+    library_.model().eval(library_.model().top);
+  } catch (const std::runtime_error& error) {
+    throw RtlError(std::string("the chip cannot be simulated any further: ") + error.what());
+  }
 }
 
 std::uint8_t& TtChip::pin(const char* name) const {
@@ -57,11 +65,10 @@ std::uint8_t& TtChip::pin(const char* name) const {
 }
 
 void TtChip::edge() {
-  const rtl_model& model = library_.model();
   *clk_ = 1;
-  model.eval(model.top);
+  evaluate();
   *clk_ = 0;
-  model.eval(model.top);
+  evaluate();
 }
 
 void TtChip::reset(int clocks) {

@@ -21,7 +21,8 @@ struct PinChange {
 class TtChip {
  public:
   /// A plug-in of registered inputs, with its input pins; ena is 1. Files that the RTL reads are
-  /// looked for in `folder`. Throws RtlError if the ports are not those of a tile.
+  /// looked for in `folder`. Throws RtlError if the ports are not those of a tile. From then on all
+  /// that simulates throws RtlError if the RTL stops ($stop) or its logic never settles.
   TtChip(const std::string& plugin, const std::string& folder, int ui, int uio);
 
   /// Holds rst_n at 0 for some clocks. The next clock is clock 0.
@@ -36,6 +37,7 @@ class TtChip {
  private:
   std::uint8_t& pin(const char* name) const;
   void edge();
+  void evaluate();
 
   rtl_library library_;
   std::uint8_t *clk_, *rst_n_;
