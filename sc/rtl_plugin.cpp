@@ -5,9 +5,8 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cctype>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -32,10 +31,12 @@ std::shared_ptr<void> load(const std::string& path) {
   throw RtlError(path + " cannot be loaded: " + dlerror());
 }
 
-rtl_model* make(const std::shared_ptr<void>& library, const std::string& path) {
+std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void>& library,
+                                                      const std::string& path) {
   const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make"));
   if (!maker) throw RtlError(path + " is no plug-in; make one with scripts/verilate");
-  return maker();
+  rtl_model* model = maker();
+  return {model, model->destroy};
 }
 
 // interval_stack_depth -> IntervalStackDepth
@@ -86,11 +87,10 @@ std::string widths(int wanted, int got) {
          std::to_string(wanted);
 }
 
-using Model = std::unique_ptr<rtl_model, void (*)(rtl_model*)>;
-
-Model instance_of(const std::shared_ptr<void>& library, const std::string& path) {
-  rtl_model* model = make(library, path);
-  return {model, model->destroy};
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
 }
 
 fs::path program_folder() {
@@ -103,6 +103,26 @@ fs::path project_folder() {
   std::error_code error;
   const fs::path installed = program_folder() / "../share/racebeam";
   return fs::exists(installed / "scripts/verilate", error) ? installed : fs::path(RACEBEAM_ROOT);
+}
+
+/// Runs scripts/verilate: the plug-in appears whole or not at all. Throws RtlError.
+void verilate(const std::string& switches, const std::string& module, const std::string& options,
+              const std::vector<std::string>& sources, const std::string& out) {
+  const std::string log = out + ".log", fresh = out + "." + std::to_string(getpid());
+  std::string command = quoted((project_folder() / "scripts/verilate").string()) + switches + " " +
+                        quoted(module) + " " + quoted(fresh) + options;
+  for (const std::string& source : sources) command += " " + quoted(fs::absolute(source).string());
+  const int status = std::system((command + " >" + quoted(log) + " 2>&1").c_str());
+  std::ifstream in(log);
+  const std::string said{std::istreambuf_iterator<char>(in), {}};
+  std::error_code ignored;
+  fs::remove(log, ignored);
+  if (status != 0) {
+    fs::remove(fresh, ignored);
+    throw RtlError("the RTL of " + module + " (" + joined(sources, ", ") +
+                   ") cannot be verilated:\n" + said);
+  }
+  fs::rename(fresh, out);
 }
 
 }  // namespace
@@ -122,72 +142,73 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
 }
 
 std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k) {
-  const auto library = load(plugin);
-  return other_parameters(*instance_of(library, plugin), k);
+  return other_parameters(rtl_library(plugin).model(), k);
 }
 
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out) {
-  const auto quoted = [](const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    return text + "'";
-  };
-  const std::string log = out + ".log", fresh = out + "." + std::to_string(getpid());
-  std::string command = quoted((project_folder() / "scripts/verilate").string()) + " " +
-                        quoted(unit) + " " + quoted(fresh);
-  for (const std::string& parameter : parameters) command += " " + quoted("-G" + parameter);
   if (sources.empty()) sources = {(project_folder() / "rtl" / (unit + ".sv")).string()};
-  for (const std::string& source : sources) command += " " + quoted(fs::absolute(source).string());
-  const int status = std::system((command + " >" + quoted(log) + " 2>&1").c_str());
-  std::ifstream in(log);
-  const std::string said{std::istreambuf_iterator<char>(in), {}};
-  std::error_code ignored;
-  fs::remove(log, ignored);
-  if (status != 0) {
-    fs::remove(fresh, ignored);
-    throw RtlError("the RTL of " + unit + " (" + joined(sources, ", ") +
-                   ") cannot be verilated:\n" + said);
+  std::string options;
+  for (const std::string& parameter : parameters) options += " " + quoted("-G" + parameter);
+  verilate("", unit, options, sources, out);
+}
+
+void build_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
+                       const std::string& out) {
+  verilate(" --registered", top, "", sources, out);
+}
+
+rtl_library::rtl_library(const std::string& plugin)
+    : library_(load(plugin)), model_(make(library_, plugin)) {}
+
+const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name) {
+  for (int n = 0; n < model.port_count; ++n)
+    if (name == model.ports[n].name) return model.ports[n];
+  throw RtlError("the RTL has no port " + name);
+}
+
+std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& wanted) {
+  std::string faults;
+  const auto fault = [&](const std::string& text) { faults += "\n  port " + text; };
+  const auto kind = [](bool is_input) { return is_input ? "input" : "output"; };
+  std::map<std::string, const rtl_port*> unknown;
+  for (int n = 0; n < model.port_count; ++n) unknown[model.ports[n].name] = &model.ports[n];
+  for (const rtl_pin& pin : wanted) {
+    const auto at = unknown.find(pin.name);
+    if (at == unknown.end()) {
+      fault(pin.name + " is missing: " + kind(pin.is_input) + ", " + std::to_string(pin.bits) +
+            (pin.bits == 1 ? " bit" : " bits"));
+      continue;
+    }
+    const rtl_port& port = *at->second;
+    if (port.is_input != pin.is_input)
+      fault(pin.name + " is an " + kind(port.is_input) + " instead of an " + kind(pin.is_input));
+    else if (port.bits != pin.bits) fault(pin.name + " is " + widths(pin.bits, port.bits));
+    unknown.erase(at);
   }
-  fs::rename(fresh, out);
+  for (const auto& [name, port] : unknown) fault(name + " is not a port of the unit");
+  return faults;
 }
 
 rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
                            const std::vector<any_port*>& pins, const knobs& k)
-    : library_(load(plugin)), model_(instance_of(library_, plugin)) {
-  if (unit != model_->unit)
-    throw RtlError(plugin + " holds the unit " + model_->unit + ", not " + unit);
-  std::string faults;
-  const auto fault = [&](const std::string& text) { faults += "\n  " + text; };
-  std::vector<const rtl_port*> unknown;
-  for (int n = 0; n < model_->port_count; ++n) unknown.push_back(&model_->ports[n]);
-  for (any_port* pin : pins) {
-    const auto at = std::find_if(unknown.begin(), unknown.end(), [&](const rtl_port* port) {
-      return std::strcmp(port->name, pin->port_name()) == 0;
-    });
-    const std::string name = pin->port_name();
-    if (at == unknown.end()) {
-      fault("port " + name + " is missing: " + (pin->is_input() ? "input" : "output") + ", " +
-            std::to_string(pin->bits()) + (pin->bits() == 1 ? " bit" : " bits"));
-      continue;
-    }
-    const rtl_port& port = **at;
-    unknown.erase(at);
-    if (port.is_input != pin->is_input())
-      fault("port " + name + " is an " + (port.is_input ? "input" : "output") + " instead of an " +
-            (port.is_input ? "output" : "input"));
-    else if (port.bits != pin->bits())
-      fault("port " + name + " is " + widths(pin->bits(), port.bits));
-    else if (name == Clock) clock_ = static_cast<std::uint8_t*>(port.data);
-    else if (pin->is_input()) inputs_.push_back({pin, value(port)});
-    else outputs_.push_back({pin, value(port)});
-  }
-  for (const rtl_port* port : unknown)
-    fault("port " + std::string(port->name) + " is not a port of the unit");
+    : library_(plugin) {
+  if (unit != model().unit)
+    throw RtlError(plugin + " holds the unit " + model().unit + ", not " + unit);
+  std::vector<rtl_pin> wanted;
+  for (const any_port* pin : pins)
+    wanted.push_back({pin->port_name(), pin->is_input(), pin->bits()});
+  const std::string faults = port_faults(model(), wanted);
   if (!faults.empty())
     throw RtlError(plugin + " does not fit the unit " + unit + "; sc/" + unit +
                    ".h has its ports:" + faults);
-  const auto other = other_parameters(*model_, k);
+  for (any_port* pin : pins) {
+    const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
+    if (pin->port_name() == std::string(Clock)) clock_ = static_cast<std::uint8_t*>(rtl.data);
+    else if (pin->is_input()) inputs_.push_back({pin, value(rtl)});
+    else outputs_.push_back({pin, value(rtl)});
+  }
+  const auto other = other_parameters(model(), k);
   if (!other.empty())
     throw RtlError(plugin + " was built with other parameters; build it with " +
                    joined(other, ", "));
@@ -270,9 +291,7 @@ void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>&
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {
-  for (int n = 0; n < model_->port_count; ++n)
-    if (name == model_->ports[n].name) return value(model_->ports[n]);
-  throw RtlError("the RTL has no port " + name);
+  return value(rtl_port_of(model(), name));
 }
 
 }  // namespace racebeam

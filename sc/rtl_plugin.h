@@ -37,6 +37,36 @@ std::vector<std::string> other_parameters(const std::string& plugin, const knobs
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out);
 
+/// The same of a whole chip, whose inputs, but `clk`, pass a register: they count one clock later.
+void build_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
+                       const std::string& out);
+
+/// A port by its name. Throws RtlError if there is none.
+const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name);
+
+/// A port that RTL must have.
+struct rtl_pin {
+  std::string name;
+  bool is_input;
+  int bits;
+};
+
+/// What of the ports of `model` does not fit: missing, extra, wrongly sized, an input instead of an
+/// output; a line of its own for each, empty if all fit.
+std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& wanted);
+
+/// One instance of what a plug-in holds, with the library that it lives in.
+class rtl_library {
+ public:
+  /// Throws RtlError: no such file, or no plug-in.
+  explicit rtl_library(const std::string& plugin);
+  const rtl_model& model() const { return *model_; }
+
+ private:
+  std::shared_ptr<void> library_;
+  std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
+};
+
 /// One instance of verilated RTL behind the ports of a module.
 class rtl_instance {
  public:
@@ -85,11 +115,11 @@ class rtl_instance {
   static constexpr int NoValue = -1;
 
   value port(const std::string& name) const;
-  void evaluate() { model_->eval(model_->top); }
+  void evaluate() { model().eval(model().top); }
   void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
+  const rtl_model& model() const { return library_.model(); }
 
-  std::shared_ptr<void> library_;
-  std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
+  rtl_library library_;
   std::vector<joint> inputs_, outputs_;
   std::uint8_t* clock_ = nullptr;  // nullptr: the unit has none
   bool settled_ = false;           // at least once

@@ -29,8 +29,9 @@ const CLI::Validator NotEmpty(
 
 void add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* render = app.add_subcommand("render", "Render frames as files and statistics");
-  render->add_option("scene", options.scene, "demo: the chip's own demo, 12799 frames")
-      ->required()
+  render
+      ->add_option("scene", options.scene,
+                   "demo: the chip's own demo, 12799 frames; or a scene file")
       ->type_name("SCENE");
   const auto number = [&](const char* name, long long& to, const char* help) {
     render->add_option(name, to, help)->type_name("N")->capture_default_str();
@@ -53,6 +54,12 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "UNIT may be all; several with commas; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
+  file("--tt", options.project, "DIR",
+       "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) and run it");
+  render->add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  render->add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
+      ->type_name("N");
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <optional>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "tb/progress.h"
 #include "tb/render_files.h"
 #include "tb/render_golden.h"
+#include "tb/render_tt.h"
 #include "tb/signal_bench.h"
 #include "tb/stats_json.h"
 #include "tb/stats_table.h"
@@ -72,32 +72,16 @@ bool report_locksteps(const RenderPlan& plan, const SignalBench& bench, int fram
 }  // namespace
 
 int command_render(const RenderOptions& options) {
+  if (!options.project.empty()) return render_tt(options);
   const RenderPlan plan = plan_render(options);
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
-  RenderFiles files(plan);
+  RenderFiles files(plan, plan.manifest());
   SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program(), plan.units});
   StatsReport report(plan.show.name(), plan.level, plan.k);
-  std::exception_ptr failure;
-  try {
-    render_frames(plan, bench, files, report);
-  } catch (const SyncError&) {
-    failure = std::current_exception();
-  } catch (const OutputError&) {
-    failure = std::current_exception();
-  }
-  const std::string stats = report.text();
-  try {
-    files.finish(bench.sound(), stats);  // what belongs to the whole frames so far
-  } catch (const OutputError&) {
-    if (!failure) throw;
-    std::rethrow_exception(failure);
-  }
-  if (failure) {
-    tell("stopped early; kept " + files.summary());
-    std::rethrow_exception(failure);
-  }
-  if (plan.json) print(stats);
+  files.run([&] { render_frames(plan, bench, files, report); }, bench.sound(),
+            [&] { return report.text(); });
+  if (plan.json) print(report.text());
   else if (report.frames() > 1) print(table_total(report));
   const bool differs = report_locksteps(plan, bench, report.frames());
   const bool whole = report.frames() == plan.frames;

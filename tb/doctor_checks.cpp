@@ -120,7 +120,7 @@ std::vector<Check> check_files() {
 
 std::vector<OptionalTool> find_tools() {
   std::vector<OptionalTool> tools = {
-      {"verilator", "verilator", "translates SystemVerilog; not needed yet", ""},
+      {"verilator", "verilator", "runs RTL: render --use, render --tt, verify", ""},
       {"gtkwave", "gtkwave", "shows waveforms", ""},
       {"yosys", "yosys", "synthesises SystemVerilog; not needed yet", ""},
       {"sox", "sox", "plays sound and draws spectrograms", ""},

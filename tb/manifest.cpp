@@ -17,7 +17,7 @@ std::string Manifest::text() const {
       {"scene", scene},
       {"scene_hash", scene_hash},
       {"level", level},
-      {"knobs", knobs_json(k)},
+      {"knobs", k ? knobs_json(*k) : nlohmann::ordered_json()},
       {"command", command},
       {"first_frame", first_frame},
       {"every", every},

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@
 namespace racebeam {
 
 struct Manifest {
-  std::string scene, scene_hash, level;
-  knobs k;
+  std::string scene;       ///< or the folder of a project
+  std::string scene_hash;  ///< of what was rendered
+  std::string level;
+  std::optional<knobs> k;            ///< of this project's chip
   std::vector<std::string> command;  ///< command line, program name first
   int first_frame = 0, every = 1;
   int frames_wanted = 0, frames_rendered = 0;

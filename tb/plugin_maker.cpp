@@ -41,9 +41,9 @@ std::string scratch(const std::string& file) {
   return (folder.path() / file).string();
 }
 
-void need_verilator() {
+void need_verilator(const std::string& instead = ", or name a .so") {
   if (std::system("command -v verilator >/dev/null") != 0)
-    throw MissingTool("verilator is not installed; install the package `verilator`, or name a .so");
+    throw MissingTool("verilator is not installed; install the package `verilator`" + instead);
 }
 
 /// Name="file", which holds `text`, for $readmemh.
@@ -90,6 +90,13 @@ std::string PluginMaker::users(const std::string& unit, const std::string& file)
   if (other.empty()) return plugin;
   parameters.insert(parameters.end(), other.begin(), other.end());
   build_rtl_plugin(unit, {file}, parameters, plugin);
+  return plugin;
+}
+
+std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources) {
+  need_verilator("");
+  const std::string plugin = scratch(top + ".so");
+  build_chip_plugin(top, sources, plugin);
   return plugin;
 }
 

@@ -33,4 +33,8 @@ class PluginMaker {
   const scene_program* program_;
 };
 
+/// The plug-in of a whole chip with registered inputs, in the scratch folder. Throws RtlError,
+/// MissingTool.
+std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources);
+
 }  // namespace racebeam

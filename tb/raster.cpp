@@ -40,6 +40,16 @@ Raster::Raster(int clocks_per_pixel, int speed) {
     columns += visible;
   }
   column_at.push_back(columns);
+  vsync_at = sync_end;
+}
+
+void Raster::advance_syncs(int count) {
+  sync_begin -= count;
+  sync_end -= count;
+  vsync_at -= count;
+  if (vsync_at < 0) --vsync_line;
+  if (vsync_at >= line_clocks()) ++vsync_line;
+  vsync_at = (vsync_at + line_clocks()) % line_clocks();
 }
 
 }  // namespace racebeam

@@ -1,7 +1,9 @@
 // The raster of one line and one frame as a monitor expects it, for any pixel rate.
 //
 // It is computed from the numbers of the video mode alone and shares no code with vga_timing, so
-// that a monitor built on it checks vga_timing. Source: contract sections 5.1, 5.2, 5.6 and 6.
+// that a monitor built on it checks vga_timing. What the mode leaves open is as in the contract
+// until it is changed: polarity of the syncs, and where in its lines vsync changes. Source:
+// contract sections 5.1, 5.2, 5.6 and 6.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -18,7 +20,7 @@ namespace racebeam {
 struct RasterClock {
   std::int16_t position;  ///< pixel, -480..319; visible columns are -320..319
   bool last;              ///< last clock of that pixel: the one in which a monitor samples it
-  bool hsync;             ///< level of the hsync pin, 0 in the pulse
+  bool hsync;             ///< level of the contract's hsync pin, 0 in the pulse
 };
 
 /// Every line of every frame has the same clocks; clock 0 is the first of the front porch.
@@ -28,19 +30,29 @@ struct Raster {
 
   std::vector<RasterClock> clocks;  ///< one line
   int sync_begin = 0;               ///< first clock of the hsync pulse
-  int sync_end = 0;                 ///< first clock after it; vsync changes in this clock
+  int sync_end = 0;                 ///< first clock after it
   int active_begin = 0;             ///< first clock of the visible columns
   std::vector<int> column_at;       ///< per clock, and one past: visible columns sampled before it
+
+  int vsync_at = 0;          ///< vsync changes in this clock of its lines: sync_end
+  int vsync_line = 250;      ///< the first line of the vsync pulse, which lasts two
+  bool hsync_pulse = false;  ///< level of the hsync pin in its pulse
+  bool vsync_pulse = false;  ///< level of the vsync pin in its pulse
+
+  /// The syncs come `clocks` earlier, up to the front porch; the picture stays where it is.
+  void advance_syncs(int clocks);
 
   int line_clocks() const { return static_cast<int>(clocks.size()); }
   int frame_clocks() const { return line_clocks() * FrameLines; }
   bool visible_line(int y) const {
     return y >= FirstVisibleLine && y < FirstVisibleLine + VisibleRows;
   }
-  /// Level of the vsync pin of line `y` from clock sync_end on; before it the line above's counts.
-  bool vsync(int y) const { return y < FirstSyncLine; }
+  /// Level of the vsync pin of line `y` from clock vsync_at on; before it the line above's counts.
+  bool vsync(int y) const {
+    return ((y - vsync_line + FrameLines) % FrameLines < VsyncLines) == vsync_pulse;
+  }
 
-  static constexpr int FirstSyncLine = 250;
+  static constexpr int VsyncLines = 2;
 };
 
 }  // namespace racebeam

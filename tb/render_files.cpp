@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "sc/constants.h"
-#include "tb/manifest.h"
+#include "tb/console.h"
 
 namespace racebeam {
 
@@ -56,7 +58,8 @@ std::vector<fs::path> make_folder(const std::string& folder) {
 
 }  // namespace
 
-RenderFiles::RenderFiles(const RenderPlan& plan) : plan_(plan) {
+RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
+    : plan_(plan), what_(std::move(manifest)) {
   std::vector<fs::path> made;
   if (!plan_.folder.empty()) made = make_folder(plan_.folder);
   try {
@@ -94,6 +97,27 @@ void RenderFiles::add_difference(int frame, const std::vector<std::uint8_t>& col
   write_png(in_folder(in_folder_.back()), colours, VisibleColumns, VisibleRows);
 }
 
+void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* sound,
+                      const std::function<std::string()>& stats) {
+  std::exception_ptr failure;
+  try {
+    render();
+  } catch (const SyncError&) {
+    failure = std::current_exception();
+  } catch (const OutputError&) {
+    failure = std::current_exception();
+  }
+  try {
+    finish(sound, stats());  // what belongs to the whole frames so far
+  } catch (const OutputError&) {
+    if (!failure) throw;
+    std::rethrow_exception(failure);
+  }
+  if (!failure) return;
+  tell("stopped early; kept " + summary());
+  std::rethrow_exception(failure);
+}
+
 void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
   // What tells about the pictures comes first: on a full disk it is the best to have.
   if (!plan_.folder.empty() && frames_ > 0) {
@@ -110,11 +134,7 @@ void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
 }
 
 std::string RenderFiles::manifest() const {
-  Manifest manifest;
-  manifest.scene = plan_.show.name();
-  manifest.scene_hash = plan_.show.hash();
-  manifest.level = plan_.level;
-  manifest.k = plan_.k;
+  Manifest manifest = what_;
   manifest.command = plan_.command;
   manifest.first_frame = plan_.first;
   manifest.every = plan_.every;

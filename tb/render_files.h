@@ -7,12 +7,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "tb/gif_writer.h"
 #include "tb/image_files.h"
+#include "tb/manifest.h"
 #include "tb/render_options.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
@@ -21,14 +23,20 @@ namespace racebeam {
 
 class RenderFiles {
  public:
-  /// Makes the folder and tries whether every file can be written. Throws OutputError.
-  explicit RenderFiles(const RenderPlan& plan);
+  /// Makes the folder and tries whether every file can be written. `manifest` says what is
+  /// rendered; what belongs to the plan and to the files is added. Throws OutputError.
+  RenderFiles(const OutputPlan& plan, Manifest manifest);
 
   /// A whole frame. Throws OutputError.
   void add(int frame, const std::string& part, const VgaFrame& picture);
 
   /// Where a whole frame differs from the golden tracers; into the folder. Throws OutputError.
   void add_difference(int frame, const std::vector<std::uint8_t>& colours);
+
+  /// Calls `render`, which adds frames, and then finish(). If either throws SyncError or
+  /// OutputError, what belongs to the whole frames is kept, which is told, and that is thrown on.
+  void run(const std::function<void()>& render, const SoundMonitor* sound,
+           const std::function<std::string()>& stats);
 
   /// Writes what belongs to the frames added so far, which may be fewer than planned. `sound` may
   /// be nullptr. Throws OutputError.
@@ -41,7 +49,8 @@ class RenderFiles {
   std::string in_folder(const std::string& name) const;
   std::string manifest() const;
 
-  const RenderPlan plan_;
+  const OutputPlan plan_;
+  const Manifest what_;
   int frames_ = 0;
   std::vector<std::string> in_folder_;  // names of the files in the folder
   std::vector<SheetFrame> sheet_;

@@ -36,7 +36,7 @@ std::string crc_column(const RenderPlan& plan, const VgaFrame& picture) {
 }  // namespace
 
 int render_golden(const RenderPlan& plan) {
-  RenderFiles files(plan);
+  RenderFiles files(plan, plan.manifest());
   GoldenFrames report(plan.show.name(), golden_tracer_names()[static_cast<int>(*plan.tracer)],
                       plan.k);
   Progress progress(plan.frames);

@@ -61,16 +61,9 @@ void check_extension(const char* option, const std::string& path, const char* ex
 }
 
 // Sound and pictures that would come out wrong.
-void check_outputs(const RenderPlan& plan) {
-  if (!plan.wav.empty() && plan.tracer)
-    throw UsageError("--wav needs the chip; leave out --golden, or --wav");
+void check_outputs(const OutputPlan& plan) {
   if (!plan.wav.empty() && plan.every != 1)
     throw UsageError("--wav needs consecutive frames; leave out --every, or --wav");
-  if (!plan.wav.empty() && plan.k.clocks_per_pixel != SoundClocksPerPixel)
-    throw UsageError(
-        fmt::format("--wav needs clocks_per_pixel={}: the sound is clocked by the "
-                    "beam; leave out --wav, or the knob",
-                    SoundClocksPerPixel));
   if (!plan.sheet.empty() && plan.frames > MaxSheetFrames)
     throw UsageError(
         fmt::format("--sheet holds up to {} frames, not {}; use fewer --frames and "
@@ -82,8 +75,19 @@ void check_outputs(const RenderPlan& plan) {
   check_extension("--stats", plan.stats, ".json");
 }
 
+// What only the chip's own sound can do.
+void check_sound(const RenderPlan& plan) {
+  if (!plan.wav.empty() && plan.tracer)
+    throw UsageError("--wav needs the chip; leave out --golden, or --wav");
+  if (!plan.wav.empty() && plan.k.clocks_per_pixel != SoundClocksPerPixel)
+    throw UsageError(
+        fmt::format("--wav needs clocks_per_pixel={}: the sound is clocked by the "
+                    "beam; leave out --wav, or the knob",
+                    SoundClocksPerPixel));
+}
+
 // No file may overwrite another, or one that the folder gets anyway.
-void check_distinct(const RenderPlan& plan) {
+void check_distinct(const OutputPlan& plan) {
   const auto real = [](const fs::path& path) {
     std::error_code ignored;
     return fs::weakly_canonical(fs::absolute(path), ignored);
@@ -110,30 +114,52 @@ int RenderPlan::frame(int index) const {
   return static_cast<int>((first + static_cast<long long>(index) * every) % show.frames());
 }
 
-RenderPlan plan_render(const RenderOptions& options) {
-  check_known("level", options.level, {"signal"});
-  const Show show = open_show(options.scene);
-  const int last = show.frames() - 1;
-  RenderPlan plan{
-      options.scene,
-      show,
-      options.level,
-      checked("--frames", options.frames, 1, show.frames(), "frames to render"),
+Manifest RenderPlan::manifest() const {
+  Manifest manifest;
+  manifest.scene = show.name();
+  manifest.scene_hash = show.hash();
+  manifest.level = level;
+  manifest.k = k;
+  return manifest;
+}
+
+OutputPlan plan_output(const RenderOptions& options, int frames) {
+  const int last = frames - 1;
+  OutputPlan plan{
+      checked("--frames", options.frames, 1, frames, "frames to render"),
       checked("--first", options.first, 0, last, "the scene has the frames"),
       checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
       checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
-      show.standard_knobs(),
       options.folder,
       options.gif,
       options.wav,
       options.sheet,
       options.stats,
-      tracer_of(options.golden),
-      options.golden == Compare,
-      {},
       options.crc,
       options.json,
       options.command};
+  check_outputs(plan);
+  check_distinct(plan);
+  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty())
+    plan.folder = DefaultFolder;
+  return plan;
+}
+
+RenderPlan plan_render(const RenderOptions& options) {
+  if (options.scene.empty())
+    throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
+  if (options.ui || options.uio)
+    throw UsageError("--ui and --uio set pins of a chip that --tt names; a scene has --set");
+  check_known("level", options.level, {"signal"});
+  const Show show = open_show(options.scene);
+  RenderPlan plan{plan_output(options, show.frames()),
+                  options.scene,
+                  show,
+                  options.level,
+                  show.standard_knobs(),
+                  tracer_of(options.golden),
+                  options.golden == Compare,
+                  {}};
   if (plan.tracer) plan.level = "golden " + options.golden;
   for (const std::string& assignment : options.assignments) set_knob(plan.k, assignment);
   if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
@@ -141,10 +167,7 @@ RenderPlan plan_render(const RenderOptions& options) {
   for (const std::string& choice : options.units) use.use(plan.units, choice);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
-  check_outputs(plan);
-  check_distinct(plan);
-  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty())
-    plan.folder = DefaultFolder;
+  check_sound(plan);
   return plan;
 }
 

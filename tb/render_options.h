@@ -11,6 +11,7 @@
 #include "sc/knobs.h"
 #include "sc/unit_choices.h"
 #include "tb/golden/golden_picture.h"
+#include "tb/manifest.h"
 #include "tb/show.h"
 
 namespace racebeam {
@@ -22,31 +23,42 @@ struct RenderOptions {
   std::vector<std::string> assignments;  ///< knob=value
   std::vector<std::string> units;        ///< unit=implementation
   std::string folder, gif, wav, sheet, stats;
-  std::string golden;  ///< a golden tracer, "compare", or empty
+  std::string golden;                ///< a golden tracer, "compare", or empty
+  std::string project;               ///< Tiny Tapeout project folder, instead of a scene
+  std::optional<long long> ui, uio;  ///< input pins of that project's chip
   bool crc = false, json = false;
   std::vector<std::string> command;  ///< for the manifest
 };
 
-/// The same, checked: every number is in its range.
-struct RenderPlan {
+/// Which frames, and what is written about them. Every number is in its range.
+struct OutputPlan {
+  int frames, first, every, gif_scale;
+  std::string folder, gif, wav, sheet, stats;
+  bool crc, json;
+  std::vector<std::string> command;
+};
+
+/// The chip of this project, or a golden tracer, and a show.
+struct RenderPlan : OutputPlan {
   std::string scene;  ///< as it was named
   Show show;
   std::string level;
-  int frames, first, every, gif_scale;
   knobs k;
-  std::string folder, gif, wav, sheet, stats;
   std::optional<GoldenTracer> tracer;  ///< renders instead of the chip
   bool compare;                        ///< the chip with the golden tracers
   unit_choices units;
-  bool crc, json;
-  std::vector<std::string> command;
 
   /// Number of the `index`-th frame; the show loops.
   int frame(int index) const;
+  /// What it is about.
+  Manifest manifest() const;
 };
 
-/// Throws UsageError for whatever cannot be done. Without any file asked for, the
-/// folder is "racebeam_out".
+/// `frames`: there are so many. Without any file asked for, the folder is "racebeam_out". Throws
+/// UsageError.
+OutputPlan plan_output(const RenderOptions& options, int frames);
+
+/// Throws UsageError for whatever cannot be done.
 RenderPlan plan_render(const RenderOptions& options);
 
 }  // namespace racebeam

@@ -72,25 +72,30 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
   static const std::array<std::uint8_t, 256> colours = make_colours();
   const Raster& r = raster_;
   const bool visible = r.visible_line(y);
-  const bool above = y == FirstLine ? r.vsync(LastLine) : r.vsync(y - 1);
+  const bool above = r.vsync(y == FirstLine ? LastLine : y - 1), here = r.vsync(y);
   const bool known = frame_.index > 0 || y > FirstLine;  // vs is not reset
-  const bool here = r.vsync(y);
-  const Span spans[] = {
-      {0, r.sync_begin, true, above, known, true, "front porch"},
-      {r.sync_begin, r.sync_end, false, above, known, true, "sync pulse"},
-      {r.sync_end, r.active_begin, true, here, true, true, "back porch"},
-      {r.active_begin, r.line_clocks(), true, here, true, !visible, "visible columns"}};
+  const struct {
+    int begin, end;  // clocks of the line
+    bool hsync, black;
+    const char* name;
+  } regions[] = {{0, r.sync_begin, !r.hsync_pulse, true, "front porch"},
+                 {r.sync_begin, r.sync_end, r.hsync_pulse, true, "sync pulse"},
+                 {r.sync_end, r.active_begin, !r.hsync_pulse, true, "back porch"},
+                 {r.active_begin, r.line_clocks(), !r.hsync_pulse, !visible, "visible columns"}};
   const int first = (y - FirstLine) * r.line_clocks();
   std::uint8_t* const row =
       visible ? &frame_.colours[(y - FirstVisibleLine) * VisibleColumns] : nullptr;
-  for (const Span& span : spans) {
-    for (int clock = span.begin;;) {
-      const int end = std::min(run[1].clock - first, span.end);
+  for (const auto& region : regions) {
+    Span span{region.begin, region.end, region.hsync, above, known, region.black, region.name};
+    for (int clock = region.begin; clock < region.end;) {
+      span.vsync = clock < r.vsync_at ? above : here;
+      span.check_vsync = known || clock >= r.vsync_at;
+      int end = std::min(run[1].clock - first, region.end);
+      if (clock < r.vsync_at) end = std::min(end, r.vsync_at);
       check(span, y, clock, run->pins);
       if (row) std::fill(row + r.column_at[clock], row + r.column_at[end], colours[run->pins]);
       clock = end;
-      if (run[1].clock - first <= span.end && run != last) ++run;
-      if (clock == span.end) break;
+      if (run[1].clock - first <= clock && run != last) ++run;
     }
   }
 }
@@ -104,7 +109,8 @@ void VgaMonitor::check(const Span& span, int y, int clock, std::uint8_t pins) co
 
 void VgaMonitor::fail(const Span& span, int y, int clock, std::uint8_t pins) const {
   const bool hsync = (pins >> PinHsync) & 1, vsync = (pins >> PinVsync) & 1;
-  const std::string from = " clock " + std::to_string(raster_.sync_end);
+  const std::string from = " clock " + std::to_string(raster_.vsync_at);
+  const int end = raster_.vsync_line + Raster::VsyncLines;
   std::string what = "frame " + std::to_string(frame_.index) + ", line " + std::to_string(y) +
                      ", clock " + std::to_string(clock) + ": ";
   if (hsync != span.hsync) {
@@ -112,9 +118,9 @@ void VgaMonitor::fail(const Span& span, int y, int clock, std::uint8_t pins) con
             clocks(span.begin, span.end) + ")";
   } else if (span.check_vsync && vsync != span.vsync) {
     what += must_be("vsync", vsync, span.vsync) + " (" +
-            (span.vsync ? "outside the pulse" : "sync pulse") + ", which is line " +
-            std::to_string(Raster::FirstSyncLine) + from + " up to line " +
-            std::to_string(FirstLine) + from + ")";
+            (span.vsync == raster_.vsync_pulse ? "sync pulse" : "outside the pulse") +
+            ", which is line " + std::to_string(raster_.vsync_line) + from + " up to line " +
+            std::to_string(end > LastLine ? end - FrameLines : end) + from + ")";
   } else {
     const int colour = colour_of_pins(pins);
     what += "red, green, blue are " + std::to_string(colour >> 4) + ", " +

@@ -42,8 +42,9 @@ TEST_F(CliTest, HelpNamesEveryCommandAndIsGood) {
 TEST_F(CliTest, HelpOfRenderNamesEveryOption) {
   Program program(folder.path(), {"render", "--help"});
   EXPECT_EQ(program.wait(), 0);
-  for (const char* option : {"--frames", "--first", "--every", "--level", "--set", "--output",
-                             "--gif", "--wav", "--sheet", "--stats", "--crc", "--json"})
+  for (const char* option :
+       {"--frames", "--first", "--every", "--level", "--set", "--output", "--gif", "--wav",
+        "--sheet", "--stats", "--crc", "--json", "--tt", "--ui"})
     EXPECT_THAT(program.out(), HasSubstr(option));
 }
 

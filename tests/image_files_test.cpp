@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/image_files.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,12 +11,11 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/read_picture.h"
 #include "tests/scratch_folder.h"
 
 namespace racebeam {
 namespace {
-
-using Picture = std::vector<std::uint8_t>;
 
 /// Runs of random length in `colours` colours, of which the last ones are rare.
 Picture random_picture(int width, int height, int colours, unsigned seed) {
@@ -29,26 +27,6 @@ Picture random_picture(int width, int height, int colours, unsigned seed) {
   }
   picture.resize(static_cast<std::size_t>(width) * height);
   return picture;
-}
-
-/// 6-bit colours of a picture in a file; 255 for what is none of the 64.
-Picture read(const std::string& path, int index, int& width, int& height) {
-  const auto in = OIIO::ImageInput::open(path);
-  if (!in || !in->seek_subimage(index, 0)) return {};
-  width = in->spec().width;
-  height = in->spec().height;
-  const int channels = in->spec().nchannels;
-  Picture bytes(static_cast<std::size_t>(width) * height * channels), picture;
-  if (!in->read_image(index, 0, 0, channels, OIIO::TypeDesc::UINT8, bytes.data())) return {};
-  for (std::size_t i = 0; i < bytes.size(); i += channels) {
-    const int r = bytes[i], g = bytes[i + 1], b = bytes[i + 2];
-    picture.push_back(r % 85 || g % 85 || b % 85 ? 255 : (r * 16 + g * 4 + b) / 85);
-  }
-  return picture;
-}
-Picture read(const std::string& path, int index = 0) {
-  int width, height;
-  return read(path, index, width, height);
 }
 
 std::string bytes_of(const std::string& path) {
@@ -64,7 +42,7 @@ class ImageFiles : public testing::Test {
 TEST_F(ImageFiles, PngKeepsAllColours) {
   const Picture picture = random_picture(640, 480, 64, 1);
   write_png(folder / "a.png", picture, 640, 480);
-  EXPECT_EQ(read(folder / "a.png"), picture);
+  EXPECT_EQ(read_picture(folder / "a.png"), picture);
   EXPECT_EQ(folder.files(), 1);
 }
 
@@ -82,7 +60,7 @@ TEST_F(ImageFiles, GifKeepsAllColoursOfAllFrames) {
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "a.gif")) << "not whole yet";
     gif.close();
-    for (int i = 0; i < 4; ++i) EXPECT_EQ(read(folder / "a.gif", i), pictures[i]) << i;
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(read_picture(folder / "a.gif", i), pictures[i]) << i;
     std::filesystem::remove(folder / "a.gif");
   }
 }
@@ -96,7 +74,7 @@ TEST_F(ImageFiles, GifSurvivesEveryLengthOfItsCodes) {
     GifWriter gif(folder / "a.gif", size, 7, 10);
     gif.add(noise);
     gif.close();
-    ASSERT_EQ(read(folder / "a.gif"), noise) << size;
+    ASSERT_EQ(read_picture(folder / "a.gif"), noise) << size;
   }
 }
 
@@ -109,8 +87,8 @@ TEST_F(ImageFiles, GifWritesOnlyWhatChanged) {
   gif.add(picture);
   gif.close();
   EXPECT_EQ(gif.frames(), 3);
-  EXPECT_EQ(read(folder / "a.gif", 1), read(folder / "a.gif", 0));
-  EXPECT_EQ(read(folder / "a.gif", 2), picture);
+  EXPECT_EQ(read_picture(folder / "a.gif", 1), read_picture(folder / "a.gif", 0));
+  EXPECT_EQ(read_picture(folder / "a.gif", 2), picture);
   GifWriter once(folder / "b.gif", 640, 480, 10);
   once.add(random_picture(640, 480, 64, 3));
   once.close();
@@ -141,7 +119,7 @@ TEST_F(ImageFiles, GifDownscaleKeepsTheTopLeftPixels) {
   gif.add(picture);
   gif.close();
   int width = 0, height = 0;
-  const Picture small = read(folder / "a.gif", 0, width, height);
+  const Picture small = read_picture(folder / "a.gif", 0, width, height);
   ASSERT_EQ(width, 21);
   ASSERT_EQ(height, 16);
   for (int y = 0; y < 16; ++y)
@@ -161,7 +139,7 @@ TEST_F(ImageFiles, ContactSheetHoldsEveryThumbnail) {
   for (int i = 0; i < 5; ++i) frames.push_back({Picture(64 * 48, i * 13 & 63), "frame"});
   write_contact_sheet(folder / "a.png", frames, 64, 48, 3, 2);
   int width = 0, height = 0;
-  const Picture sheet = read(folder / "a.png", 0, width, height);
+  const Picture sheet = read_picture(folder / "a.png", 0, width, height);
   ASSERT_EQ(width, 3 * (32 + 8) + 8);
   ASSERT_EQ(height, 2 * (24 + 22 + 8) + 8);
   for (int i = 0; i < 5; ++i)

@@ -43,9 +43,9 @@ class Pins {
     monitor.advance(pins_.size());
   }
   /// What the monitor says, or "good".
-  std::string verdict() const {
+  std::string verdict(const Raster& raster = Raster()) const {
     try {
-      VgaMonitor monitor(Raster(), nullptr);
+      VgaMonitor monitor(raster, nullptr);
       feed(monitor);
     } catch (const SyncError& error) {
       return error.what();
@@ -233,6 +233,57 @@ TEST(VgaMonitor, InvertedVsyncIsRefused) {
   Pins pins;
   for (int y = -273; y <= 251; ++y) pins.flip(Vsync, y, 0, 1599);
   EXPECT_EQ(pins.verdict().find("frame 0, line -273, clock 224: vsync is 0, must be 1"), 0u);
+}
+
+TEST(VgaMonitor, SyncsMayBePositive) {
+  Raster raster;
+  raster.hsync_pulse = raster.vsync_pulse = true;
+  Pins pins(2);
+  EXPECT_EQ(pins.verdict(raster),
+            "frame 0, line -273, clock 0: hsync is 1, must be 0 (front porch, "
+            "clocks 0..31)");
+  for (int frame = 0; frame < 2; ++frame)
+    for (int y = -273; y <= 251; ++y) pins.flip(Hsync | Vsync, y, 0, 1599, frame);
+  EXPECT_EQ(pins.verdict(raster), "good");
+  pins.flip(Vsync, 9, 5, 5, 1);
+  EXPECT_EQ(pins.verdict(raster).find("frame 1, line 9, clock 5: vsync is 1, must be 0 (outside"),
+            0u);
+}
+
+TEST(VgaMonitor, VsyncMayChangeAnywhereInItsLines) {
+  for (const int clock : {0, 31, 100, 320, 1599}) {
+    Raster raster;
+    raster.vsync_at = clock;
+    Pins pins(2);
+    for (int frame = 0; frame < 2; ++frame)
+      for (const int y : {250, -273}) {
+        if (clock < 224) pins.flip(Vsync, y, clock, 223, frame);
+        else pins.flip(Vsync, y, 224, clock - 1, frame);
+      }
+    EXPECT_EQ(pins.verdict(raster), "good") << clock;
+    pins.flip(Vsync, 250, clock, clock, 1);
+    EXPECT_EQ(pins.verdict(raster).substr(0, 17), "frame 1, line 250") << clock;
+  }
+}
+
+TEST(VgaMonitor, SyncsMayComeEarlierThanThePicture) {
+  for (const auto& [clocks, vsync_at] : {std::pair(-2, 0), {2, 1}, {2, 224}, {-2, 1599}}) {
+    Raster raster;
+    raster.vsync_at = vsync_at;
+    raster.advance_syncs(clocks);
+    Pins pins(2);
+    for (int frame = 0; frame < 2; ++frame)
+      for (int y = -273; y <= 251; ++y)
+        for (int c = 0; c < LineClocks; ++c) {
+          const int in_line = c + clocks;
+          const int in_frame = (y + 273) * LineClocks + in_line + FrameClocks;
+          const bool hsync = in_line < 32 || in_line >= 224;
+          const bool vsync = (in_frame - 523 * LineClocks - vsync_at) % FrameClocks >= 3200;
+          pins.at(y, c, frame) =
+              (pins.at(y, c, frame) & ~(Hsync | Vsync)) | (hsync ? Hsync : 0) | (vsync ? Vsync : 0);
+        }
+    EXPECT_EQ(pins.verdict(raster), "good") << clocks << " " << vsync_at;
+  }
 }
 
 TEST(VgaMonitor, FollowsEveryRaster) {

@@ -1,0 +1,49 @@
+// TtChip: any chip behind the pins of a Tiny Tapeout tile, verilated.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sc/rtl_plugin.h"
+
+namespace racebeam {
+
+/// The output pins have these values from a clock on.
+struct PinChange {
+  std::uint64_t clock;
+  std::uint8_t uo, uio, oe;
+};
+
+class TtChip {
+ public:
+  /// A plug-in of registered inputs, with its input pins; ena is 1. Files that the RTL reads are
+  /// looked for in `folder`. Throws RtlError if the ports are not those of a tile. From then on all
+  /// that simulates throws RtlError if the RTL stops ($stop) or its logic never settles.
+  TtChip(const std::string& plugin, const std::string& folder, int ui, int uio);
+
+  /// Holds rst_n at 0 for some clocks. The next clock is clock 0.
+  void reset(int clocks);
+
+  /// Simulates clocks and adds what changes; the first clock after reset is always added.
+  void run(std::uint64_t clocks, std::vector<PinChange>& changes);
+
+  /// Clocks simulated since reset.
+  std::uint64_t clock() const { return clock_; }
+
+ private:
+  std::uint8_t& pin(const char* name) const;
+  void edge();
+  void evaluate();
+
+  rtl_library library_;
+  std::uint8_t *clk_, *rst_n_;
+  const std::uint8_t *uo_, *uio_, *oe_;
+  std::uint64_t clock_ = 0;
+  PinChange last_{};
+};
+
+}  // namespace racebeam
