@@ -54,9 +54,10 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned
   bench.between_edges([&] { traffic.next(); });
   while (lockstep.clocks() < clocks && !lockstep.first())
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
-  UnitVerdict verdict{dut.unit, "random", lockstep.clocks(), lockstep.differences(), 0, ""};
+  UnitVerdict verdict{dut.unit, "random", lockstep.clocks(), lockstep.differences(), 0, {}};
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (lockstep.first()) verdict.first = lockstep.first()->text();
+  if (const auto& d = lockstep.first())
+    verdict.first = FirstDifference{d->port, d->clock, d->expected, d->got, {}, d->text()};
   return verdict;
 }
 
