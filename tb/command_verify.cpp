@@ -28,6 +28,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* Row = "{:<18} {:<7} {:>12} {:>12} {:>10}\n";
 
+bool all_differ(const SignalBench& bench) {
+  const auto units = bench.locksteps();
+  return std::all_of(units.begin(), units.end(), [](auto* unit) { return unit->first(); });
+}
+
 /// The knobs as they were set, for a command that repeats a run.
 std::string set_text(const VerifyOptions& options) {
   std::string text;
@@ -35,14 +40,14 @@ std::string set_text(const VerifyOptions& options) {
   return text;
 }
 
-/// All units at once, in the chip, over frames spread over the show.
+/// All units at once, in the chip, over frames spread over the show, until each has differed.
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
                                         const knobs& k, const unit_choices& choices) {
   const auto start = std::chrono::steady_clock::now();
   SignalBench bench({k, false, false, false, show.program(), choices});
   std::vector<int> frames;
   Progress progress(static_cast<int>(options.frames));
-  for (int i = 0; i < options.frames && !interrupted(); ++i) {
+  for (int i = 0; i < options.frames && !interrupted() && !all_differ(bench); ++i) {
     frames.push_back(static_cast<int>(i * show.frames() / options.frames));
     bench.seek(frames.back());
     bench.render();
@@ -53,13 +58,15 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::vector<UnitVerdict> verdicts;
   for (const Lockstep* unit : bench.locksteps()) {
-    UnitVerdict verdict{unit->unit(), "chip", unit->clocks(), unit->differences(), seconds, ""};
-    if (unit->first()) {
+    UnitVerdict verdict{unit->unit(), "chip", unit->clocks(), unit->differences(), seconds, {}};
+    if (const auto& d = unit->first()) {
       const Raster raster(k.clocks_per_pixel, k.speed);
-      const int frame = place_of(unit->first()->clock, frames, raster).frame;
-      verdict.first = explain(*unit->first(), frames, raster,
-                              fmt::format("racebeam render {} --first {} --use {}=lockstep{}",
-                                          options.scene, frame, unit->unit(), set_text(options)));
+      const BeamPlace place = place_of(d->clock, frames, raster);
+      const std::string repeat =
+          fmt::format("racebeam render {} --first {} --use {}=lockstep{}", options.scene,
+                      place.frame, unit->unit(), set_text(options));
+      verdict.first = FirstDifference{d->port, d->clock, d->expected,
+                                      d->got,  place,    explain(*d, frames, raster, repeat)};
     }
     verdicts.push_back(verdict);
   }
@@ -69,21 +76,36 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
 UnitVerdict verify_at_random(const VerifyOptions& options, const UnitUnderTest& dut) {
   UnitVerdict verdict = verify_unit(dut, static_cast<std::uint64_t>(options.random),
                                     static_cast<unsigned>(options.seed));
-  if (!verdict.first.empty())
-    verdict.first = fmt::format(
-        "{}\nrepeat: racebeam verify {} --scene {} --frames 0 --random {} --seed {}{}\n",
-        verdict.first, dut.unit, options.scene, options.random, options.seed, set_text(options));
+  if (verdict.first)
+    verdict.first->text +=
+        fmt::format("\nrepeat: racebeam verify {} --scene {} --frames 0 --random {} --seed {}{}\n",
+                    dut.unit, options.scene, options.random, options.seed, set_text(options));
   return verdict;
 }
 
+Json to_json(const FirstDifference& d) {
+  Json json = {{"port", d.port}, {"clock", d.clock}, {"expected", d.expected}, {"got", d.got}};
+  if (d.place)
+    json["place"] = {{"frame", d.place->frame}, {"line", d.place->line}, {"clock", d.place->clock}};
+  json["text"] = d.text;
+  return json;
+}
+
 Json to_json(const UnitVerdict& v) {
-  return {{"unit", v.unit},       {"traffic", v.traffic},         {"clocks", v.clocks},
-          {"seconds", v.seconds}, {"differences", v.differences}, {"first", v.first}};
+  return {{"unit", v.unit},
+          {"traffic", v.traffic},
+          {"clocks", v.clocks},
+          {"seconds", v.seconds},
+          {"differences", v.differences},
+          {"first", v.first ? to_json(*v.first) : Json()}};
 }
 
 UnitVerdict from_json(const Json& json) {
-  return {json["unit"],        json["traffic"], json["clocks"],
-          json["differences"], json["seconds"], json["first"]};
+  UnitVerdict verdict{json["unit"],        json["traffic"], json["clocks"],
+                      json["differences"], json["seconds"], {}};
+  if (const Json& d = json["first"]; !d.is_null())
+    verdict.first = FirstDifference{d["port"], d["clock"], d["expected"], d["got"], {}, d["text"]};
+  return verdict;
 }
 
 std::string row(const UnitVerdict& v) {
@@ -141,7 +163,7 @@ int command_verify(const VerifyOptions& options) {
     for (const UnitVerdict& verdict : verdicts) print(row(verdict));
   }
   for (const UnitVerdict& verdict : verdicts)
-    if (!verdict.first.empty()) tell(verdict.unit + ", " + verdict.traffic + ":\n" + verdict.first);
+    if (verdict.first) tell(verdict.unit + ", " + verdict.traffic + ":\n" + verdict.first->text);
   if (interrupted()) return ExitInterrupted;
   return differs ? ExitDifference : ExitGood;
 }

@@ -6,8 +6,8 @@ namespace racebeam {
 
 namespace {
 
-constexpr int LongestEpisode = 400;
-constexpr int ResetPace[] = {8, 64, 1000};
+constexpr int ShortEpisode = 400, LongEpisode = 8000;  // at most
+constexpr int ResetPace[] = {8, 64, 1000, 0};
 
 int reset_value(const std::string& name) {
   if (name == "rst_ni") return 0;
@@ -18,14 +18,20 @@ int reset_value(const std::string& name) {
 
 RandomTraffic::RandomTraffic(UnitBench& bench, const knobs& k, unsigned seed)
     : legal_(k), random_(seed) {
-  for (UnitBench::Pin* pin : bench.pins())
-    if (pin->input) inputs_.push_back({pin, Random, reset_value(pin->name)});
+  for (UnitBench::Pin* pin : bench.pins()) {
+    if (!pin->input) continue;
+    inputs_.push_back({pin, reset_value(pin->name)});
+    // Before a reset the registers have no value.
+    if (inputs_.back().reset >= 0) pin->drive(inputs_.back().reset);
+  }
 }
 
 void RandomTraffic::begin_episode() {
-  left_ = 1 + below(LongestEpisode);
-  reset_every_ = ResetPace[below(3)];
-  for (Input& input : inputs_) input.manner = static_cast<Manner>(below(4));
+  const bool is_long = below(8) == 0;
+  left_ = 1 + below(is_long ? LongEpisode : ShortEpisode);
+  reset_every_ = is_long ? 0 : ResetPace[below(4)];
+  for (Input& input : inputs_) input.manner = static_cast<Manner>(below(Manners));
+  if (at_episodes_) at_episodes_(random_());
 }
 
 // Around 0, the largest value, the sign, and powers of two.
@@ -46,12 +52,15 @@ void RandomTraffic::next() {
   for (Input& input : inputs_) {
     UnitBench::Pin& pin = *input.pin;
     if (input.reset >= 0) {
-      pin.drive(below(reset_every_) == 0 || begins ? input.reset : 1 - input.reset);
+      const bool now = begins ? below(2) == 0 : reset_every_ > 0 && below(reset_every_) == 0;
+      pin.drive(now ? input.reset : 1 - input.reset);
       continue;
     }
     if (!begins && (input.manner == Held || (input.manner == Seldom && below(16) != 0))) continue;
-    const int value = input.manner == Boundary ? boundary(pin.bits) : static_cast<int>(random_());
-    pin.drive(legal_.of(pin.name, value & low_bits(pin.bits)));
+    if (input.manner == Boundary) input.value = boundary(pin.bits);
+    else if (input.manner == Counting && !begins) input.value += below(8) == 0 ? 2 : 1;
+    else input.value = static_cast<int>(random_());
+    pin.drive(legal_.of(pin.name, input.value & low_bits(pin.bits)));
   }
 }
 

@@ -5,19 +5,30 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sc/scene_program.h"
 #include "tb/lockstep.h"
+#include "tb/lockstep_report.h"
 
 namespace racebeam {
+
+/// Where a comparison found the first difference.
+struct FirstDifference {
+  std::string port;
+  std::uint64_t clock = 0;         ///< compared clocks before it
+  int expected = 0, got = 0;       ///< raw bits of the model and of the RTL
+  std::optional<BeamPlace> place;  ///< of the chip's traffic only
+  std::string text;                ///< explained
+};
 
 /// What a comparison of one unit found.
 struct UnitVerdict {
   std::string unit, traffic;  ///< traffic: "chip" or "random"
   std::uint64_t clocks = 0, differences = 0;
   double seconds = 0;
-  std::string first;  ///< the first difference explained; empty if there is none
+  std::optional<FirstDifference> first;
 };
 
 /// A unit and what its twins are made for.

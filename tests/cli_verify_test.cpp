@@ -12,6 +12,7 @@ namespace racebeam {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string Rtl = RACEBEAM_SOURCE_DIR "/rtl/stacks.sv";
 
@@ -39,7 +40,10 @@ TEST_F(CliVerifyTest, FindsNoDifferenceInTheUnitsOwnRtl) {
   EXPECT_EQ(run.wait(), 0) << run.err();
   const auto json = nlohmann::json::parse(run.out());
   ASSERT_EQ(json["units"].size(), 2u);
-  for (const auto& unit : json["units"]) EXPECT_EQ(unit["differences"], 0);
+  for (const auto& unit : json["units"]) {
+    EXPECT_EQ(unit["differences"], 0);
+    EXPECT_TRUE(unit["first"].is_null());
+  }
   EXPECT_EQ(json["units"][0]["clocks"], 20000);
   EXPECT_EQ(json["units"][1]["clocks"], 840001);
 }
@@ -51,6 +55,35 @@ TEST_F(CliVerifyTest, FindsTheFaultOfChangedRtlAndShowsWhatLedThere) {
   EXPECT_THAT(run.err(), HasSubstr("top_i2_o rtl"));
   EXPECT_THAT(run.err(), HasSubstr("in frame 0, line -2"));
   EXPECT_THAT(run.err(), HasSubstr("repeat: racebeam verify stacks"));
+}
+
+TEST_F(CliVerifyTest, NamesTheOneUnitOfAllThatDiffers) {
+  const std::string mine = changed("(n + 1) % IntervalStackDepth", "n % IntervalStackDepth");
+  Program run(folder.path(), {"verify", "all", mine, "--frames", "1", "--random", "1000"});
+  EXPECT_EQ(run.wait(), 1);
+  EXPECT_THAT(run.out(), HasSubstr("\nsubdivider         chip          840001            0"));
+  EXPECT_THAT(run.err(), HasSubstr("\nracebeam: stacks, chip:\n"));
+  for (const char* other : {"subdivider, ", "decision_datapath, ", "interval_fifo, "})
+    EXPECT_THAT(run.err(), Not(HasSubstr(other)));
+}
+
+TEST_F(CliVerifyTest, GivesTheFirstDifferenceAsNumbers) {
+  const std::string mine = changed("(n + 1) % IntervalStackDepth", "n % IntervalStackDepth");
+  Program run(folder.path(), {"verify", mine, "--frames", "2", "--random", "1000", "--json"});
+  EXPECT_EQ(run.wait(), 1);
+  const auto units = run.json()["units"];
+  ASSERT_EQ(units.size(), 2u);
+  const auto random = units[0]["first"], chip = units[1]["first"];
+  EXPECT_EQ(random["port"].get<std::string>().substr(0, 4), "top_");
+  EXPECT_LT(random["clock"], 1000);
+  EXPECT_NE(random["expected"], random["got"]);
+  EXPECT_FALSE(random.contains("place"));
+  EXPECT_THAT(random["text"].get<std::string>(), HasSubstr("top_i2_o rtl"));
+  const auto place = chip["place"];
+  EXPECT_EQ(place["frame"], 0);
+  EXPECT_EQ(chip["clock"].get<int>(),
+            1 + (place["line"].get<int>() + 273) * 1600 + place["clock"].get<int>());
+  EXPECT_EQ(units[1]["clocks"], 840001) << "the second frame could tell nothing new";
 }
 
 TEST_F(CliVerifyTest, RefusesRtlThatDoesNotFit) {
