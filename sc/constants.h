@@ -17,6 +17,10 @@ constexpr int FirstVisibleLine = -240;
 constexpr int LastLine = 251;        // y of the last line: the navigator's
 constexpr int FirstPosition = -480;  // h_pos of the first pixel of a line
 constexpr double PixelClockHz = 25.2e6;
+/// Whole picoseconds of a clock; 19841 at 50.4 MHz.
+constexpr int clock_period_ps(int clocks_per_pixel) {
+  return static_cast<int>(1e12 / (PixelClockHz * clocks_per_pixel));
+}
 
 // Rays.
 constexpr int DrBits = 10;          // knob dr_bits

@@ -21,6 +21,8 @@ struct rtl_model {
   const char* parameters;  ///< "Name=value Name=value ": the defaults, then what was set
   const rtl_port* ports;
   int port_count;
+  const rtl_port* signals;  ///< inside, by names such as "u_stacks.sp_i"; of racebeam_top only
+  int signal_count;
   void* top;
   void (*eval)(void* top);
   void (*destroy)(rtl_model* model);

@@ -290,6 +290,17 @@ void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>&
   for (joint& in : inputs_) in.last = NoValue;
 }
 
+rtl_instance::value rtl_instance::signal(const std::string& name) const {
+  for (int n = 0; n < model().signal_count; ++n)
+    if (name == model().signals[n].name) return value(model().signals[n]);
+  throw RtlError(std::string("there is no signal ") + name + " in " + model().unit);
+}
+
+void rtl_instance::deposit(const std::string& name, int value) {
+  signal(name).write(value);
+  for (joint& in : inputs_) in.last = NoValue;
+}
+
 rtl_instance::value rtl_instance::port(const std::string& name) const {
   return value(rtl_port_of(model(), name));
 }

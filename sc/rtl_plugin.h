@@ -87,7 +87,7 @@ class rtl_instance {
   void seek(int frame);
   void place(const vec3& position, int room);
 
-  /// A port of the RTL.
+  /// A port or signal of the RTL.
   class value {
    public:
     explicit value(const rtl_port& port) : port_(&port) {}
@@ -110,6 +110,11 @@ class rtl_instance {
   };
   const std::vector<joint>& inputs() const { return inputs_; }
   const std::vector<joint>& outputs() const { return outputs_; }
+
+  /// A signal inside racebeam_top, such as "u_stacks.sp_i". Throws RtlError.
+  value signal(const std::string& name) const;
+  /// Writes a register inside racebeam_top; to be followed by settle(). Throws RtlError.
+  void deposit(const std::string& signal, int value);
 
  private:
   static constexpr int NoValue = -1;

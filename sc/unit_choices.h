@@ -39,6 +39,9 @@ inline std::vector<std::string> chip_units(bool scene_file) {
           "pixel_output",      "pwm_sound"};
 }
 
+/// All units wired in RTL: only beside the chip, in lockstep.
+constexpr const char* WholeChip = "racebeam_top";
+
 /// Name of the instance that a unit is in chip.
 inline std::string instance_of(const std::string& unit) {
   return "u_" + (unit == "timeline" ? "sequencer" : unit == "scene_rom" ? "scene" : unit);

@@ -107,6 +107,10 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
   verify->add_option("--seed", options.seed, "Of the random traffic")
       ->type_name("N")
       ->capture_default_str();
+  verify->add_option("-o,--output", options.folder, "Folder for the waveforms of differences")
+      ->type_name("DIR")
+      ->check(NotEmpty)
+      ->capture_default_str();
   verify->add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

@@ -51,7 +51,8 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
 }
 
 // Says how units in lockstep went. True if one differs.
-bool report_locksteps(const RenderPlan& plan, const SignalBench& bench, int frames) {
+bool report_locksteps(const RenderPlan& plan, const std::vector<std::string>& assignments,
+                      const SignalBench& bench, int frames) {
   std::vector<int> rendered;
   for (int i = 0; i <= frames && i < plan.frames; ++i) rendered.push_back(plan.frame(i));
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
@@ -61,10 +62,13 @@ bool report_locksteps(const RenderPlan& plan, const SignalBench& bench, int fram
                      unit->differences()));
     if (!unit->first()) continue;
     differs = true;
-    const int frame = place_of(unit->first()->clock, rendered, raster).frame;
-    tell(explain(*unit->first(), rendered, raster,
-                 fmt::format("racebeam render {} --first {} --use {}=lockstep", plan.scene, frame,
-                             unit->unit())));
+    const BeamPlace place = place_of(unit->first()->clock, rendered, raster);
+    std::string repeat = fmt::format("racebeam render {} --first {} --use {}=lockstep", plan.scene,
+                                     place.frame, unit->unit());
+    for (const std::string& assignment : assignments) repeat += " --set " + assignment;
+    const std::string window =
+        plan.folder.empty() ? "" : save_window(*unit->first(), "chip", plan.k, plan.folder);
+    tell(explain(*unit->first(), {"in " + place_text(place, raster), repeat, window, plan.k}));
   }
   return differs;
 }
@@ -83,7 +87,7 @@ int command_render(const RenderOptions& options) {
             [&] { return report.text(); });
   if (plan.json) print(report.text());
   else if (report.frames() > 1) print(table_total(report));
-  const bool differs = report_locksteps(plan, bench, report.frames());
+  const bool differs = report_locksteps(plan, options.assignments, bench, report.frames());
   const bool whole = report.frames() == plan.frames;
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;

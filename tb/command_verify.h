@@ -16,6 +16,7 @@ struct VerifyOptions {
   long long frames = 60;                 ///< of the scene, evenly spread; 0: no chip traffic
   long long random = 100000;             ///< clocks of random traffic for each unit
   long long seed = 1;
+  std::string folder = "racebeam_verify";  ///< for waveforms of differences
   bool json = false;
 };
 

@@ -12,23 +12,33 @@
 #include <vector>
 
 #include "sc/rtl_plugin.h"
+#include "tb/wiring_check.h"
 
 namespace racebeam {
 
 /// The first output that differed, and what led there.
 struct LockstepDifference {
-  static constexpr int History = 16;  ///< clocks, the last one is that of the difference
+  static constexpr int Window = 256;  ///< clocks of history, the last one is that of the difference
+  static constexpr int Shown = 16;    ///< of them in the text
+
+  enum Side { Input, Model, Rtl };
+  struct Column {
+    std::string port;
+    Side side;
+    int bits;
+  };
 
   std::string unit, port;
   int expected = 0, got = 0;  ///< raw bits of the model and of the RTL
   std::uint64_t clock = 0;    ///< compared clocks before it
-  /// Names of the columns, and by clock the values: inputs, then for each output the model's and
-  /// the RTL's.
-  std::vector<std::string> columns;
-  std::vector<std::vector<int>> history;
+  std::vector<Column> columns;
+  std::vector<std::vector<int>> history;  ///< by clock, and column
+  std::string wiring;                     ///< of racebeam_top only: what its units say
 
-  /// A table for a message.
+  /// A table of the last clocks for a message.
   std::string text() const;
+  /// The whole window as a value change dump, `period` picoseconds a clock.
+  std::string vcd(int period) const;
 };
 
 class Lockstep : public sc_core::sc_module {
@@ -43,6 +53,8 @@ class Lockstep : public sc_core::sc_module {
   /// Clocks so far. All outputs were compared in each but the first, before any edge: registers
   /// have no defined value until they are reset.
   std::uint64_t clocks() const { return clocks_; }
+  /// Compares left out: those of the first clock.
+  std::uint64_t masked() const { return clocks_ > 0 ? rtl_.outputs().size() : 0; }
   /// Clocks in which some output differed.
   std::uint64_t differences() const { return differences_; }
   const std::optional<LockstepDifference>& first() const { return first_; }
@@ -50,8 +62,12 @@ class Lockstep : public sc_core::sc_module {
   /// The back doors, as the model's.
   void deposit_frame(int frame) { rtl_.seek(frame); }
   void deposit_place(const vec3& position, int room) { rtl_.place(position, room); }
+  /// Compares the wiring inside as well; for racebeam_top beside a chip. Throws RtlError.
+  void check_wiring(const sc_core::sc_module& chip) { wiring_.emplace(rtl_, chip); }
+  WiringCheck* wiring() { return wiring_ ? &*wiring_ : nullptr; }
   /// Test of the comparison itself: bit `bit` of an output of the RTL is taken inverted in the
-  /// compared clock `clock`. Throws RtlError if there is no such output.
+  /// compared clock `clock`; the first difference so far is forgotten. Throws RtlError if there is
+  /// no such output.
   void invert(const std::string& port, int bit, std::uint64_t clock);
 
  private:
@@ -67,7 +83,8 @@ class Lockstep : public sc_core::sc_module {
 
   const std::string unit_;
   rtl_instance rtl_;
-  std::array<std::vector<int>, LockstepDifference::History> history_;
+  std::optional<WiringCheck> wiring_;
+  std::array<std::vector<int>, LockstepDifference::Window> history_;
   std::uint64_t clocks_ = 0, differences_ = 0;
   std::optional<LockstepDifference> first_;
   std::optional<Inversion> inversion_;

@@ -4,9 +4,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "sc/constants.h"
+#include "tb/output_file.h"
 
 namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int FirstColumn = -320;  // of the visible pixels
+
+}  // namespace
 
 BeamPlace place_of(std::uint64_t clock, const std::vector<int>& frames, const Raster& raster) {
   if (clock == 0 || frames.empty()) return {frames.empty() ? 0 : frames.front(), FirstLine, -1};
@@ -16,16 +28,46 @@ BeamPlace place_of(std::uint64_t clock, const std::vector<int>& frames, const Ra
   return {frames.at(index), FirstLine + rest / raster.line_clocks(), rest % raster.line_clocks()};
 }
 
-std::string explain(const LockstepDifference& difference, const std::vector<int>& frames,
-                    const Raster& raster, const std::string& repeat) {
-  const BeamPlace at = place_of(difference.clock, frames, raster);
+std::string place_text(const BeamPlace& place, const Raster& raster) {
+  std::string text =
+      fmt::format("frame {}, line {}, clock {}", place.frame, place.line, place.clock);
+  const int column =
+      place.clock < 0 ? -1
+                      : raster.clocks[static_cast<std::size_t>(place.clock)].position - FirstColumn;
+  if (raster.visible_line(place.line) && column >= 0) text += fmt::format(", pixel {}", column);
+  return text;
+}
+
+std::string knobs_text(const knobs& k) {
+  const knobs chip;
+  std::string text;
+  for (const auto& row : knob_table())
+    if (k.*row.member != chip.*row.member)
+      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", row.name, row.text(k.*row.member));
+  return text.empty() ? "default" : text;
+}
+
+std::string explain(const LockstepDifference& d, const DifferenceContext& context) {
   return fmt::format(
-      "{}: port {} differs in frame {}, line {}, clock {} of the line ({} clocks compared):\n"
-      "  the model has {:#x}, the RTL {:#x}\n"
+      "{}: port {} differs {} ({} clocks compared):\n"
+      "  the model has {:#x}, the RTL {:#x}\n{}"
       "the last {} clocks, hexadecimal, the last column is that of the difference:\n{}"
-      "repeat: {}\n",
-      difference.unit, difference.port, at.frame, at.line, at.clock, difference.clock,
-      difference.expected, difference.got, difference.history.size(), difference.text(), repeat);
+      "knobs: {}\n{}repeat: {}\n",
+      d.unit, d.port, context.where, d.clock, d.expected, d.got,
+      d.wiring.empty() ? "" : d.wiring + "\n",
+      std::min<std::size_t>(d.history.size(), LockstepDifference::Shown), d.text(),
+      knobs_text(context.k), context.window.empty() ? "" : "waveform: " + context.window + "\n",
+      context.repeat);
+}
+
+std::string save_window(const LockstepDifference& difference, const std::string& traffic,
+                        const knobs& k, const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw OutputError(folder, error.message());
+  const std::string path = (fs::path(folder) / (difference.unit + "_" + traffic + ".vcd")).string();
+  write_text(path, difference.vcd(clock_period_ps(k.clocks_per_pixel)));
+  return path;
 }
 
 }  // namespace racebeam

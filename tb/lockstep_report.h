@@ -20,9 +20,27 @@ struct BeamPlace {
 /// `clock` counts from the one in reset that precedes the first of `frames`.
 BeamPlace place_of(std::uint64_t clock, const std::vector<int>& frames, const Raster& raster);
 
-/// The first difference explained: unit, port, place, values, the last clocks of both sides.
-/// `repeat` is the command that shows it again.
-std::string explain(const LockstepDifference& difference, const std::vector<int>& frames,
-                    const Raster& raster, const std::string& repeat);
+/// "frame 7, line -3, clock 400, pixel 40"; a pixel only where one is shown.
+std::string place_text(const BeamPlace& place, const Raster& raster);
+
+/// "default", or the knobs that are not.
+std::string knobs_text(const knobs& k);
+
+/// What goes with a difference.
+struct DifferenceContext {
+  std::string where;   ///< "in frame 7, ...", or "of random traffic"
+  std::string repeat;  ///< the command that shows it again
+  std::string window;  ///< file of the waveform; empty: none
+  knobs k;
+};
+
+/// The first difference explained: unit, port, place, values, the last clocks of both sides, knobs,
+/// and for racebeam_top whether a unit or the wiring is at fault.
+std::string explain(const LockstepDifference& difference, const DifferenceContext& context);
+
+/// Writes the window of a difference as FOLDER/<unit>_<traffic>.vcd and returns that name. Throws
+/// OutputError.
+std::string save_window(const LockstepDifference& difference, const std::string& traffic,
+                        const knobs& k, const std::string& folder);
 
 }  // namespace racebeam

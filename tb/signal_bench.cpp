@@ -13,12 +13,6 @@ namespace racebeam {
 
 namespace {
 
-// The clock in whole picoseconds: 19841 ps at 50.4 MHz.
-sc_core::sc_time clock_period(const knobs& k) {
-  return {static_cast<double>(static_cast<int>(1e12 / (PixelClockHz * k.clocks_per_pixel))),
-          sc_core::SC_PS};
-}
-
 /// Looks at the settled wires of every clock, at the edge that ends it.
 class StatsProbe : public sc_core::sc_module {
  public:
@@ -67,7 +61,7 @@ struct SignalBench::Platform {
 
   explicit Platform(const Options& o)
       : options(o),
-        period(clock_period(o.k)),
+        period(clock_period_ps(o.k.clocks_per_pixel), sc_core::SC_PS),
         raster(o.k.clocks_per_pixel, o.k.speed),
         clk("clk", period, 0.5, period),
         dut("chip", o.k, o.program, o.units),
@@ -108,6 +102,12 @@ void SignalBench::Platform::watch() {
         locksteps.back()->clk_i(clk);
       }
   }
+  const unit_choice& top = options.units.of(WholeChip);
+  if (!top.lockstep) return;
+  locksteps.push_back(
+      std::make_unique<Lockstep>("lockstep_top", WholeChip, dut, options.k, top.plugin));
+  locksteps.back()->clk_i(clk);
+  locksteps.back()->check_wiring(dut);
 }
 
 SignalBench::SignalBench(const Options& options) : platform_(new Platform(options)) {}
@@ -118,6 +118,10 @@ void SignalBench::seek(int frame) {
   platform_->dut.deposit(frame);
   const navigator_core place = fly_to(frame, platform_->options.k, platform_->options.program);
   for (auto& lockstep : platform_->locksteps) {
+    if (WiringCheck* wiring = lockstep->wiring()) {
+      wiring->seek(frame, place.position_q, place.room_q);
+      continue;
+    }
     const std::string instance = instance_of(lockstep->unit());
     if (instance == "u_sequencer") lockstep->deposit_frame(frame);
     if (instance == "u_navigator") lockstep->deposit_place(place.position_q, place.room_q);

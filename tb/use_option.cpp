@@ -15,10 +15,20 @@ namespace {
 
 constexpr const char* All = "all";
 
+/// Nothing but pins is set: racebeam_top has no parameters.
+bool is_taped_out(const knobs& k) {
+  const knobs chip;
+  for (const auto& row : knob_table())
+    if (row.member != &knobs::speed && row.member != &knobs::interlace &&
+        k.*row.member != chip.*row.member)
+      return false;
+  return true;
+}
+
 }  // namespace
 
 UseOption::UseOption(const knobs& k, const scene_program* program)
-    : scene_file_(program != nullptr), plugins_(k, program) {}
+    : scene_file_(program != nullptr), wired_(!program && is_taped_out(k)), plugins_(k, program) {}
 
 void UseOption::check_unit(const std::string& unit) const {
   std::vector<std::string> known = chip_units(scene_file_);
@@ -53,7 +63,8 @@ void UseOption::use_one(unit_choices& choices, const std::string& text) const {
                      "UNIT=FILE.sv");
   const std::string unit = text.substr(0, equals), how = text.substr(equals + 1);
   if (unit != All) {
-    check_unit(unit);
+    if (unit == WholeChip) check_whole_chip(how);
+    else check_unit(unit);
     choices.by_unit[unit] = choice_of(unit, how);
     return;
   }
@@ -61,6 +72,18 @@ void UseOption::use_one(unit_choices& choices, const std::string& text) const {
     throw UsageError("all=" + how + ": all units can be model, rtl or lockstep; a file is for one");
   for (const std::string& each : chip_units(scene_file_))
     choices.by_unit[each] = choice_of(each, how);
+  if (how == "lockstep" && wired_) choices.by_unit[WholeChip] = choice_of(WholeChip, how);
+}
+
+void UseOption::check_whole_chip(const std::string& how) const {
+  if (how == "model" || how == "rtl")
+    throw UsageError(std::string(WholeChip) +
+                     " is all units in RTL and their wires: it runs beside the chip only, as "
+                     "racebeam_top=lockstep; for RTL in the chip write all=rtl");
+  if (!wired_)
+    throw UsageError(
+        std::string(WholeChip) +
+        " is the taped-out chip with its own demo; leave out the scene file and --set");
 }
 
 void UseOption::use(unit_choices& choices, const std::string& text) const {

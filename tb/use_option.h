@@ -22,8 +22,8 @@ class UseOption {
   /// Throws UsageError, RtlError, MissingTool.
   void use(unit_choices& choices, const std::string& text) const;
 
-  /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. Throws as
-  /// use() does.
+  /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. `all` has
+  /// racebeam_top too, where that is the chip. Throws as use() does.
   void lockstep(unit_choices& choices, const std::string& text) const;
 
  private:
@@ -31,7 +31,10 @@ class UseOption {
   unit_choice choice_of(const std::string& unit, const std::string& text) const;
   void check_unit(const std::string& unit) const;
 
+  void check_whole_chip(const std::string& how) const;
+
   const bool scene_file_;
+  const bool wired_;  // racebeam_top is this chip
   const PluginMaker plugins_;
 };
 

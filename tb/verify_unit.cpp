@@ -35,12 +35,6 @@ std::unique_ptr<sc_core::sc_module> make_one_of(const UnitUnderTest& dut) {
   return made;
 }
 
-std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
-  return make_one_of<vga_timing, sequencer, timeline, camera_unit, ray_stepper, subdivider, stacks,
-                     decision_datapath, scene, scene_rom, navigator, interval_fifo, pixel_output,
-                     pwm_sound>(dut);
-}
-
 /// No episode is long enough to count there. One in four: the last frame.
 int any_frame(const UnitUnderTest& dut, unsigned random) {
   const unsigned frames = dut.program ? static_cast<unsigned>(dut.program->frames) : DemoFrames;
@@ -49,7 +43,14 @@ int any_frame(const UnitUnderTest& dut, unsigned random) {
 
 }  // namespace
 
-UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed) {
+std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
+  return make_one_of<vga_timing, sequencer, timeline, camera_unit, ray_stepper, subdivider, stacks,
+                     decision_datapath, scene, scene_rom, navigator, interval_fifo, pixel_output,
+                     pwm_sound>(dut);
+}
+
+UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed,
+                        const std::string& folder, const std::string& repeat) {
   const auto model = make_model(dut);
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
   UnitBench bench(*model, &lockstep.clk_i);
@@ -64,10 +65,18 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned
   bench.between_edges([&] { traffic.next(); });
   while (lockstep.clocks() < clocks && !lockstep.first())
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
-  UnitVerdict verdict{dut.unit, "random", lockstep.clocks(), lockstep.differences(), 0, {}};
+  UnitVerdict verdict{
+      dut.unit, "random", lockstep.clocks(), lockstep.masked(), lockstep.differences(), 0, {}};
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto& d = lockstep.first())
-    verdict.first = FirstDifference{d->port, d->clock, d->expected, d->got, {}, d->text()};
+    verdict.first =
+        FirstDifference{d->port,
+                        d->clock,
+                        d->expected,
+                        d->got,
+                        {},
+                        explain(*d, {"on random traffic", repeat,
+                                     save_window(*d, verdict.traffic, dut.k, folder), dut.k})};
   return verdict;
 }
 

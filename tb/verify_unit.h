@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -26,7 +27,9 @@ struct FirstDifference {
 /// What a comparison of one unit found.
 struct UnitVerdict {
   std::string unit, traffic;  ///< traffic: "chip" or "random"
-  std::uint64_t clocks = 0, differences = 0;
+  std::uint64_t clocks = 0;   ///< compared
+  std::uint64_t masked = 0;   ///< compares of an output left out
+  std::uint64_t differences = 0;
   double seconds = 0;
   std::optional<FirstDifference> first;
 };
@@ -38,8 +41,13 @@ struct UnitUnderTest {
   const scene_program* program;  ///< for timeline and scene_rom
 };
 
-/// Compares model and RTL over `clocks` clocks of RandomTraffic. Only one such comparison and
-/// nothing else of SystemC may happen in a process. Throws RtlError.
-UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed);
+/// Its model, called "model".
+std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut);
+
+/// Compares model and RTL over `clocks` clocks of RandomTraffic, up to a difference, which is
+/// explained and saved in `folder`; `repeat` is the command for it. Only one such comparison and
+/// nothing else of SystemC may happen in a process. Throws RtlError, OutputError.
+UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed,
+                        const std::string& folder, const std::string& repeat);
 
 }  // namespace racebeam

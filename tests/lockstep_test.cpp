@@ -43,7 +43,7 @@ TEST_F(LockstepTest, TellsAnInvertedBitAndItsClock) {
   EXPECT_EQ(first.port, "top_i2_o");
   EXPECT_EQ(first.clock, 1234u);
   EXPECT_EQ(first.expected ^ first.got, 1 << 9);
-  EXPECT_EQ(first.history.size(), 16u);
+  EXPECT_EQ(first.history.size(), std::size_t{LockstepDifference::Window});
   EXPECT_EQ(first.history.back().size(), first.columns.size());
 }
 
