@@ -91,8 +91,8 @@ std::optional<FoundFrames> find_frames(const std::vector<PinChange>& changes, st
   const bool enough = clocks >= static_cast<std::uint64_t>(MaxFrames * nominal.frame_clocks());
   const auto from = static_cast<std::uint64_t>(nominal.line_clocks());
   const auto vsync = find_pulse(changes, PinVsync, from);
-  if (!vsync && !enough) return {};
   const auto hsync = find_pulse(changes, PinHsync, from);
+  if (!(hsync && vsync) && !enough) return {};
   if (!hsync) no_pulse("hsync", PinHsync, clocks);
 
   FoundFrames found{raster_of_line(hsync->period, clocks_per_pixel)};

@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
+#include "tb/pin_change.h"
 #include "tb/raster.h"
-#include "tb/tt_chip.h"
 
 namespace racebeam {
 

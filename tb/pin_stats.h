@@ -8,7 +8,7 @@
 #include <bitset>
 #include <cstdint>
 
-#include "tb/tt_chip.h"
+#include "tb/pin_change.h"
 
 namespace racebeam {
 

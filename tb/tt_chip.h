@@ -9,14 +9,9 @@
 #include <vector>
 
 #include "sc/rtl_plugin.h"
+#include "tb/pin_change.h"
 
 namespace racebeam {
-
-/// The output pins have these values from a clock on.
-struct PinChange {
-  std::uint64_t clock;
-  std::uint8_t uo, uio, oe;
-};
 
 class TtChip {
  public:

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "sc/constants.h"
 #include "tb/errors.h"
@@ -103,7 +104,10 @@ void read_sources(const InfoFile& info, TtProject& project) {
   const fs::path folder(project.folder);
   for (const YAML::Node& node : list) {
     const std::string name = info.text(node, Key, What);
-    const auto has = [&](const fs::path& place) { return fs::is_regular_file(place / name); };
+    const auto has = [&](const fs::path& place) {
+      std::error_code error;
+      return fs::is_regular_file(place / name, error);
+    };
     if (!has(folder / "src") && !has(folder))
       info.fail(node.Mark(),
                 fmt::format("there is no source file {}, nor {}", (folder / "src" / name).string(),

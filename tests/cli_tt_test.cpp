@@ -154,6 +154,9 @@ TEST_F(CliTtTest, SourcesMayLieBesideInfoAndSoundMayBeMissing) {
 TEST_F(CliTtTest, RefusesFoldersThatAreNoProject) {
   expect_end({"--tt", "none"}, 2, {"there is no folder 'none'"});
   expect_end({"--tt", "."}, 2, {"there is no ./info.yaml", "Tiny Tapeout project"});
+  fs::create_directory(folder / "empty");
+  std::ofstream(folder / "empty/info.yaml").flush();
+  expect_end({"--tt", "empty"}, 2, {"empty/info.yaml: there is no section `project:`"});
   expect_info_refused("  tiles", " tiles", {"bars/info.yaml:8: ", "must be YAML"});
   expect_info_refused("project:", "projects:", {"bars/info.yaml", "no section `project:`"});
   expect_info_refused("  top_module: \"tt_um_bars\"\n", "",
@@ -190,7 +193,8 @@ TEST_F(CliTtTest, RefusesRtlThatIsNoTile) {
 }
 
 TEST_F(CliTtTest, SyncFaultsEndWith1) {
-  expect_source_end("tt_um_bars.v", "{hsync", "{1'b0", 1, {"hsync, uo_out[7], has no pulses"});
+  expect_source_end("tt_um_bars.v", "{hsync", "{1'b0", 1,
+                    {"hsync, uo_out[7], has no pulses in the 1260000 clocks"});
   expect_source_end("video.vh", "H_MAX 799", "H_MAX 899", 1,
                     {"a line lasts 900 clocks", "only 640x480 at 60 Hz is known"});
   expect_source_end("video.vh", "V_MAX 524", "V_MAX 523", 1, {"a frame lasts 419200 clocks"});
