@@ -8,6 +8,12 @@
 
 namespace racebeam {
 
+namespace {
+
+constexpr std::uint64_t Settling = 1600;  // clocks of a line, until registers without reset are set
+
+}  // namespace
+
 WiringCheck::WiringCheck(rtl_instance& top, const sc_core::sc_module& chip) : top_(top) {
   for (const auto* child : chip.get_child_objects()) {
     const auto* unit = dynamic_cast<const sc_core::sc_module*>(child);
@@ -35,7 +41,7 @@ void WiringCheck::join() {
 
 void WiringCheck::look(std::uint64_t clock) {
   if (!joined_) join();
-  if (!found_.empty()) return;
+  if (!found_.empty() || clock <= Settling) return;
   if (std::none_of(ports_.begin(), ports_.end(), [&](const Port& p) { return differs(p); })) return;
   found_ = fmt::format("the units inside differ first after {} clocks: {}", clock, finding());
 }

@@ -19,7 +19,7 @@ class WiringCheck {
   /// outlive the check. Throws RtlError if `top` lacks a port of a unit.
   WiringCheck(rtl_instance& top, const sc_core::sc_module& chip);
 
-  /// Compares the settled wires of a clock, until a difference is found.
+  /// Compares the settled wires of a clock, from the second line on, until a difference is found.
   void look(std::uint64_t clock);
 
   /// Writes the registers that carry state from frame to frame.
