@@ -24,7 +24,10 @@ struct rtl_model {
   const rtl_port* signals;  ///< inside, by names such as "u_stacks.sp_i"; of racebeam_top only
   int signal_count;
   void* top;
-  void (*eval)(void* top);
+  void (*eval)(void* top);  ///< the inputs have changed
+  /// A whole clock, from its rising edge on, of a module with a clock `clk_i` or `clk`; it alone
+  /// writes the clock's pin. nullptr: there is none.
+  void (*rise)(void* top);
   void (*destroy)(rtl_model* model);
 };
 

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/rtl_instance.h"
 #include "sc/rtl_plugin.h"
 
 namespace racebeam {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sc/rtl_plugin.h"
 #include "sc/unit_choices.h"
 #include "tb/vcd_writer.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/rtl_plugin.h"
+#include "sc/rtl_instance.h"
 #include "tb/wiring_check.h"
 
 namespace racebeam {

@@ -11,7 +11,7 @@
 #include <new>
 #include <string>
 
-#include "sc/rtl_plugin.h"
+#include "sc/rtl_library.h"
 #include "tb/command_line.h"
 #include "tb/console.h"
 #include "tb/errors.h"

@@ -40,7 +40,6 @@ TtChip::TtChip(const std::string& plugin, const std::string& folder, int ui, int
   if (!faults.empty())
     throw RtlError(std::string("the module ") + library_.model().unit +
                    " does not fit a Tiny Tapeout tile:" + faults);
-  clk_ = &pin("clk");
   rst_n_ = &pin("rst_n");
   uo_ = &pin("uo_out");
   uio_ = &pin("uio_out");
@@ -49,12 +48,12 @@ TtChip::TtChip(const std::string& plugin, const std::string& folder, int ui, int
   pin("ui_in") = static_cast<std::uint8_t>(ui);
   pin("uio_in") = static_cast<std::uint8_t>(uio);
   const WorkingFolder here(folder);  // $readmemh reads in the first evaluation
-  evaluate();
+  evaluate(library_.model().eval);
 }
 
-void TtChip::evaluate() {
+void TtChip::evaluate(void (*step)(void*)) {
   try {
-    library_.model().eval(library_.model().top);
+    step(library_.model().top);
   } catch (const std::runtime_error& error) {
     throw RtlError(std::string("the chip cannot be simulated any further: ") + error.what());
   }
@@ -64,16 +63,9 @@ std::uint8_t& TtChip::pin(const char* name) const {
   return *static_cast<std::uint8_t*>(rtl_port_of(library_.model(), name).data);
 }
 
-void TtChip::edge() {
-  *clk_ = 1;
-  evaluate();
-  *clk_ = 0;
-  evaluate();
-}
-
 void TtChip::reset(int clocks) {
   *rst_n_ = 0;
-  for (; clocks > 0; --clocks) edge();
+  for (; clocks > 0; --clocks) evaluate(library_.model().rise);
   *rst_n_ = 1;
   clock_ = 0;
 }
@@ -85,7 +77,7 @@ void TtChip::run(std::uint64_t clocks, std::vector<PinChange>& changes) {
       changes.push_back(now);
       last_ = now;
     }
-    edge();
+    evaluate(library_.model().rise);
   }
 }
 

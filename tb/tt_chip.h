@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/rtl_plugin.h"
+#include "sc/rtl_library.h"
 #include "tb/pin_change.h"
 
 namespace racebeam {
@@ -31,11 +31,10 @@ class TtChip {
 
  private:
   std::uint8_t& pin(const char* name) const;
-  void edge();
-  void evaluate();
+  void evaluate(void (*step)(void*));
 
   rtl_library library_;
-  std::uint8_t *clk_, *rst_n_;
+  std::uint8_t* rst_n_;
   const std::uint8_t *uo_, *uio_, *oe_;
   std::uint64_t clock_ = 0;
   PinChange last_{};

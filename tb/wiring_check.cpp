@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace racebeam {
 
@@ -41,29 +42,43 @@ void WiringCheck::join() {
 
 void WiringCheck::look(std::uint64_t clock) {
   if (!joined_) join();
-  if (!found_.empty() || clock <= Settling) return;
-  if (std::none_of(ports_.begin(), ports_.end(), [&](const Port& p) { return differs(p); })) return;
-  found_ = fmt::format("the units inside differ first after {} clocks: {}", clock, finding());
+  if (!found_.empty()) return;
+  if (const std::string wire = wrong_wire(); !wire.empty()) {
+    found_ = fmt::format("{}\nNo unit is to blame: the wiring of racebeam_top is wrong.", wire);
+  } else if (clock > Settling && std::any_of(ports_.begin(), ports_.end(), differs)) {
+    found_ = fmt::format(
+        "the units inside differ first after {} clocks: {}.\nThe wiring is good so far: racebeam "
+        "verify that unit.",
+        clock, wrong_outputs());
+  }
 }
 
-// An input that differs from its driver's output is a wire; an output that differs although the
-// unit's inputs do not is the unit.
-std::string WiringCheck::finding() const {
+// A wire has one value at both ends, whatever the units do.
+std::string WiringCheck::wrong_wire() const {
   for (const Port& in : ports_) {
-    if (!in.is_input || !differs(in)) continue;
-    const Port* driver =
-        in.driver == NoDriver ? nullptr : &ports_[static_cast<std::size_t>(in.driver)];
-    if (driver && differs(*driver)) continue;
-    return fmt::format(
-        "{} has {:#x} instead of {:#x}, the value of {}.\nNo unit differs: the wiring of "
-        "racebeam_top does.",
-        in.full_name(), in.rtl.read(), in.wire.value(),
-        driver ? driver->full_name() : "a pin of the chip");
+    if (!in.is_input) continue;
+    const bool from_pin = in.driver == NoDriver;
+    const Port& driver = from_pin ? in : ports_[static_cast<std::size_t>(in.driver)];
+    const int want = from_pin ? in.wire.value() : driver.rtl.read();
+    if (in.rtl.read() == want) continue;
+    return fmt::format("{} has {:#x} instead of {:#x}, the value of {}.", in.full_name(),
+                       in.rtl.read(), want, from_pin ? "a pin of the chip" : driver.full_name());
   }
-  std::string names;
-  for (const Port& out : ports_)
-    if (!out.is_input && differs(out)) names += (names.empty() ? "" : ", ") + out.full_name();
-  return names + ".\nThe wiring is good so far: racebeam verify that unit.";
+  return {};
+}
+
+// Those of units whose inputs are right, if there are such.
+std::string WiringCheck::wrong_outputs() const {
+  std::set<std::string> misled;
+  for (const Port& in : ports_)
+    if (in.is_input && differs(in)) misled.insert(in.unit);
+  std::string own, all;
+  for (const Port& out : ports_) {
+    if (out.is_input || !differs(out)) continue;
+    std::string& names = misled.count(out.unit) ? all : own;
+    names += (names.empty() ? "" : ", ") + out.full_name();
+  }
+  return own.empty() ? all : own;
 }
 
 // x and y are stored without the six bits that a flight along z keeps, of the room only its j.

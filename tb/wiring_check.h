@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/rtl_plugin.h"
+#include "sc/rtl_instance.h"
 
 namespace racebeam {
 
@@ -19,7 +19,8 @@ class WiringCheck {
   /// outlive the check. Throws RtlError if `top` lacks a port of a unit.
   WiringCheck(rtl_instance& top, const sc_core::sc_module& chip);
 
-  /// Compares the settled wires of a clock, from the second line on, until a difference is found.
+  /// Looks at the settled wires of a clock until something is found: a wire whose ends differ, or,
+  /// from the second line on, an output that is not the model's.
   void look(std::uint64_t clock);
 
   /// Writes the registers that carry state from frame to frame.
@@ -41,8 +42,9 @@ class WiringCheck {
   static constexpr int NoDriver = -1;
 
   void join();
-  bool differs(const Port& port) const { return port.rtl.read() != port.wire.value(); }
-  std::string finding() const;
+  static bool differs(const Port& port) { return port.rtl.read() != port.wire.value(); }
+  std::string wrong_wire() const;
+  std::string wrong_outputs() const;
 
   rtl_instance& top_;
   std::vector<Port> ports_;

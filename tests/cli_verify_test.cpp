@@ -14,17 +14,19 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string Rtl = RACEBEAM_SOURCE_DIR "/rtl/stacks.sv";
+const std::string RtlFolder = RACEBEAM_SOURCE_DIR "/rtl/";
+const std::string Rtl = RtlFolder + "stacks.sv";
 
 class CliVerifyTest : public testing::Test {
  protected:
-  /// A copy of the RTL of stacks with one place changed.
-  std::string changed(const std::string& from, const std::string& to) {
-    std::string text = read_file(Rtl);
+  /// A copy of the RTL of a unit with one place changed.
+  std::string changed(const std::string& from, const std::string& to,
+                      const std::string& unit = "stacks") {
+    std::string text = read_file(RtlFolder + unit + ".sv");
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     std::ofstream(folder / "mine.sv") << text.replace(at, from.size(), to);
-    return "stacks=mine.sv";
+    return unit + "=mine.sv";
   }
   void expect_refused(const std::string& unit, const std::vector<std::string>& said) {
     Program run(folder.path(), {"verify", unit, "--frames", "0"});
@@ -65,6 +67,16 @@ TEST_F(CliVerifyTest, NamesTheOneUnitOfAllThatDiffers) {
   EXPECT_THAT(run.err(), HasSubstr("racebeam: stacks: port top_tag_o differs in frame 0, line "));
   for (const char* other : {"subdivider: ", "decision_datapath: ", "racebeam_top: "})
     EXPECT_THAT(run.err(), Not(HasSubstr(other)));
+}
+
+TEST_F(CliVerifyTest, NamesTheWireOfAChipThatIsWiredWrongly) {
+  const std::string mine =
+      changed(".half_size_y_i(half_size_y)", ".half_size_y_i(half_size_x)", "racebeam_top");
+  Program run(folder.path(), {"verify", mine, "--frames", "1", "--random", "0"});
+  EXPECT_EQ(run.wait(), 1);
+  EXPECT_THAT(run.err(), HasSubstr("racebeam_top: port uo_o differs in frame 0, line "));
+  EXPECT_THAT(run.err(), HasSubstr("u_decision_datapath.half_size_y_i has 0x80 instead of "));
+  EXPECT_THAT(run.err(), HasSubstr(", the value of u_scene.half_size_y_o.\nNo unit is to blame"));
 }
 
 TEST_F(CliVerifyTest, GivesTheFirstDifferenceAsNumbers) {

@@ -6,9 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "sc/stacks.h"
+#include "sc/unit_choices.h"
+#include "tb/plugin_maker.h"
 #include "tb/random_traffic.h"
+#include "tb/scene/scene_compiler.h"
+#include "tb/scene/scene_reader.h"
 #include "tb/unit_bench.h"
+#include "tb/verify_unit.h"
 
 namespace racebeam {
 namespace {
@@ -33,16 +40,13 @@ TEST_F(LockstepTest, ModelAndRtlOfStacksAgreeOnRandomTraffic) {
   EXPECT_FALSE(lockstep.first());
 }
 
-TEST_F(LockstepTest, TellsAnInvertedBitAndItsClock) {
+TEST_F(LockstepTest, KeepsTheClocksBeforeADifference) {
   lockstep.invert("top_i2_o", 9, 1234);
   run(2000);
   EXPECT_EQ(lockstep.differences(), 1u);
   ASSERT_TRUE(lockstep.first());
   const LockstepDifference& first = *lockstep.first();
   EXPECT_EQ(first.unit, "stacks");
-  EXPECT_EQ(first.port, "top_i2_o");
-  EXPECT_EQ(first.clock, 1234u);
-  EXPECT_EQ(first.expected ^ first.got, 1 << 9);
   EXPECT_EQ(first.history.size(), std::size_t{LockstepDifference::Window});
   EXPECT_EQ(first.history.back().size(), first.columns.size());
 }
@@ -50,6 +54,43 @@ TEST_F(LockstepTest, TellsAnInvertedBitAndItsClock) {
 TEST_F(LockstepTest, RefusesOutputsThatTheRtlDoesNotHave) {
   EXPECT_THROW(lockstep.invert("sp_o", 0, 1), RtlError);
 }
+
+class EveryUnit : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryUnit, TellsEveryInvertedOutputBitAndItsClock) {
+  constexpr int Clocks = 100;  // for each bit
+  const scene_program program =
+      compile_scene(read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/demo.toml").scene);
+  const bool of_scene_files = GetParam() == "timeline" || GetParam() == "scene_rom";
+  const knobs k = of_scene_files ? program.fitted({}) : knobs{};
+  const auto model = make_model({GetParam(), "", k, &program});
+  const PluginMaker maker(k, of_scene_files ? &program : nullptr);
+  Lockstep lockstep("lockstep", GetParam(), *model, k, maker.own(GetParam()));
+  UnitBench bench(*model, &lockstep.clk_i);
+  RandomTraffic traffic(bench, k, 5);
+  bench.between_edges([&] { traffic.next(); });
+  bench.clock(Clocks);
+  std::mt19937 random(3);
+  for (const UnitBench::Pin* pin : bench.pins())
+    for (int bit = 0; bit < pin->bits && !pin->input; ++bit) {
+      const std::uint64_t clock = lockstep.clocks() + random() % Clocks;
+      lockstep.invert(pin->name, bit, clock);
+      bench.clock(Clocks);
+      ASSERT_TRUE(lockstep.first()) << pin->name << " bit " << bit;
+      EXPECT_EQ(lockstep.first()->port, pin->name);
+      EXPECT_EQ(lockstep.first()->clock, clock);
+      EXPECT_EQ(lockstep.first()->expected ^ lockstep.first()->got, 1 << bit);
+    }
+}
+
+std::vector<std::string> all_units() {
+  std::vector<std::string> units = chip_units(false);
+  units.insert(units.end(), {"timeline", "scene_rom"});
+  return units;
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, EveryUnit, testing::ValuesIn(all_units()),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace racebeam
