@@ -13,6 +13,7 @@
 // Stall   waits in SCALE while step_i.
 // Reset   start of a line, also by line_end_i; ddr keeps its value.
 // Knobs   dr_bits scales full scale.
+// Twin    rtl/camera_unit.sv
 // Test    tests/camera_unit_test.cpp
 // Source  contract section 7; seed 000 "Camera view calculations".
 //

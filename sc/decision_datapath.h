@@ -22,6 +22,7 @@
 //         face_stack_depth, skip_shared_edges (the levels of an edge that lies on the edge of the
 //         face are passed over; not for the second and later portals of a face). From the scene:
 //         portals_per_face.
+// Twin    rtl/decision_datapath.sv
 // Test    tests/decision_datapath_test.cpp
 // Source  contract section 11; seed 000 "Geometry tests", "Subdeterminant calculation".
 //

@@ -14,6 +14,7 @@
 //         the head's own colour is taken.
 // Reset   one pixel of index 0 (tracer_reset_i).
 // Knobs   fifo_entries, fifo_short_length_bits.
+// Twin    rtl/interval_fifo.sv
 // Test    tests/interval_fifo_test.cpp
 // Source  contract section 14; seed 000 "Interval FIFO".
 //

@@ -15,6 +15,7 @@
 // Stall   none.
 // Reset   rst_ni or nav_reset_i: start_*_i, start_room_i, idle.
 // Knobs   from the scene: navigator_bits, free_flight, portals_per_face.
+// Twin    rtl/navigator.sv
 // Test    tests/navigator_test.cpp
 // Source  contract section 13.
 //

@@ -11,6 +11,7 @@
 // Stall   none.
 // Reset   none.
 // Knobs   dithering, dr_bits.
+// Twin    rtl/pixel_output.sv
 // Test    tests/pixel_output_test.cpp
 // Source  contract sections 4, 15, 17.4, 17.5; seed 000 "Interval FIFO" (dithering).
 //

@@ -19,6 +19,7 @@
 //         lines). The slot clocks 0, 1, 29, 31 occur at every speed.
 // Reset   phase, accumulator and carry are 0; the PWM counter is not reset (0 at power-up: pin 1).
 // Knobs   none; right only at the default clocks_per_pixel, 2, where x2 counts clocks.
+// Twin    rtl/pwm_sound.sv
 // Test    tests/pwm_sound_test.cpp
 // Source  contract section 16 (interface); seed 000 S0-05, S0-104. Voices and tune are our own.
 //

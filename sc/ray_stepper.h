@@ -12,6 +12,7 @@
 // Reset   none; camera_unit loads zero.
 // Knobs   dr_bits; stepping = fraction stores 9 fraction bits and steps exactly; bisection =
 //         midpoint asks for sizes that are not powers of two, taken bit by bit in one clock.
+// Twin    rtl/ray_stepper.sv
 // Test    tests/ray_stepper_test.cpp
 // Source  contract section 8; seed 000 "Stepping the dr vector" and its appendix.
 //

@@ -11,6 +11,7 @@
 // Comb    all inputs -> all outputs (S and R do not depend on look_axis_i, look_signs_i).
 // Stall   none.
 // Reset   none.
+// Twin    rtl/scene.sv
 // Test    tests/scene_test.cpp
 // Source  contract sections 12 and 17.2; seed 000 "Scene structure".
 //

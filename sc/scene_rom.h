@@ -11,6 +11,7 @@
 // Comb    all inputs but scene_flags_i -> all outputs (S and R depend on room_i only).
 // Stall   none.
 // Reset   none. A room that the table does not have is of size 0, at 0, and solid.
+// Twin    rtl/scene_rom.sv
 // Test    tests/scene_rom_test.cpp
 // Source  architecture page "Scenes"; seed 000 "Limitations" (several portals in one face).
 //

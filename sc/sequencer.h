@@ -11,6 +11,7 @@
 //         src_i, y_i -> angle_o.
 // Stall   none.
 // Reset   frame 0.
+// Twin    rtl/sequencer.sv
 // Test    tests/sequencer_test.cpp
 // Source  contract sections 7.5, 13, 17.1, 17.3, 17.4, 17.5.
 //

@@ -11,6 +11,7 @@
 // Stall   none.
 // Reset   none; 0 at power-up, never cleared (contract 18, item S).
 // Knobs   interval_stack_depth, face_stack_depth.
+// Twin    rtl/stacks.sv
 // Test    tests/stacks_test.cpp
 // Source  contract section 10; seed 000 "Stack underflow".
 //

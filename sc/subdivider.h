@@ -17,6 +17,7 @@
 // Reset   tracer_reset_i: LEFT, i1 = 0, i2 = i2_init_i, stack empty; idx2 is camera_unit's.
 // Knobs   interval_stack_depth, hurry_threshold, bisection; from the scene: portals_per_face (with
 //         several, leave_o also tells of a ray that passes the edge of a portal).
+// Twin    rtl/subdivider.sv
 // Test    tests/subdivider_test.cpp
 // Source  contract section 9; seed 000 "Subdivision" and "Stepping the dr vector".
 //

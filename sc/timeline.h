@@ -14,6 +14,7 @@
 //         src_i, y_i -> angle_o.
 // Stall   none.
 // Reset   frame 0, shot 0 and its turns.
+// Twin    rtl/timeline.sv
 // Test    tests/timeline_test.cpp
 // Source  architecture page "Scenes"; contract sections 7.5, 17.1, 17.3 to 17.5 for the effects.
 //

@@ -12,6 +12,7 @@
 // Stall   none.
 // Reset   c = 0 of y = -273; vs is not reset (0 at power-up).
 // Knobs   clocks_per_pixel (x2 counts half pixels only at its default, 2).
+// Twin    rtl/vga_timing.sv
 // Test    tests/vga_timing_test.cpp
 // Source  contract sections 5.1, 5.2, 6; seed 000 S0-08..S0-10.
 //

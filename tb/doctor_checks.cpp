@@ -21,6 +21,7 @@
 #include <thread>
 
 #include "sc/constants.h"
+#include "sc/rtl_plugin.h"
 #include "tb/gif_writer.h"
 #include "tb/image_files.h"
 #include "tb/sound_monitor.h"
@@ -115,6 +116,11 @@ std::vector<Check> check_files() {
     sound.advance(static_cast<std::uint64_t>(2 * PixelClockHz / 10));  // 0.1 s
     sound.write_wav(folder->file("a.wav"));
   }));
+  if (!find_in_path("verilator").empty())
+    checks.push_back(check("verilate RTL", [&] {
+      build_rtl_plugin("stacks", {}, {}, folder->file("stacks.so"));
+      rtl_library(folder->file("stacks.so"));
+    }));
   return checks;
 }
 
@@ -122,7 +128,7 @@ std::vector<OptionalTool> find_tools() {
   std::vector<OptionalTool> tools = {
       {"verilator", "verilator", "runs RTL: render --use, render --tt, verify", ""},
       {"gtkwave", "gtkwave", "shows waveforms", ""},
-      {"yosys", "yosys", "synthesises SystemVerilog; not needed yet", ""},
+      {"yosys", "yosys", "counts the cells of RTL: scripts/area", ""},
       {"sox", "sox", "plays sound and draws spectrograms", ""},
   };
   for (OptionalTool& tool : tools) tool.path = find_in_path(tool.name);

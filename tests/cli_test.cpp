@@ -138,7 +138,7 @@ TEST_F(CliTest, DoctorIsGoodHere) {
   Program program(folder.path(), {"doctor", "--json"});
   const auto json = program.json();
   EXPECT_EQ(json.at("versions").at("racebeam"), RACEBEAM_VERSION);
-  EXPECT_EQ(json.at("checks").size(), 4);
+  EXPECT_EQ(json.at("checks").size(), 5);
   EXPECT_EQ(json.at("tools").size(), 4);
 }
 
