@@ -31,6 +31,15 @@ chip_core::chip_core(const scene_program* program) : program(program) {
 }
 
 chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
+  const auto t = vga_timing.comb({rst_n, k.speed}, k);
+  const pwm_sound_core::inputs sound_in{rst_n, k.speed, t.x2, t.y, frame()};
+  const bool pwm = pwm_sound.comb().pwm;
+  const int uo = clock_video(rst_n, k, view);
+  pwm_sound.clock(sound_in);
+  return {uo, pwm};
+}
+
+int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   // 1 to 3: raster, FIFO flags, conductor.
   const vga_timing_core::inputs timing_in{rst_n, k.speed};
   const auto t = vga_timing.comb(timing_in, k);
@@ -109,11 +118,10 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
 
   // 12: the pins.
-  const pins out{
+  const int uo =
       pixel_output_core::uo({interval_fifo.display(k), s.lock, s.inverse, t.active, t.hsync_n,
                              t.vsync_n, ray_stepper.dr2_q, s.palette, s.colours},
-                            k),
-      pwm_sound.comb().pwm};
+                            k);
   if (view)
     *view = {t.y,
              frame(),
@@ -149,11 +157,10 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
   subdivider.clock(sub, move, k);
   camera_unit.clock(cam, k);
   interval_fifo.clock(fifo_in, k);
-  pwm_sound.clock({rst_n, k.speed, t.x2, t.y, frame()});
   if (program) timeline.clock(choose, *program);
   else sequencer.clock(choose);
   vga_timing.clock(timing_in, k);
-  return out;
+  return uo;
 }
 
 void chip_core::deposit(int frame, const knobs& k) {

@@ -48,11 +48,12 @@ struct chip_core {
 
   /// The pins before the edge, then the edge; `view` receives the wires if given.
   pins clock(bool rst_n, const knobs& k, chip_view* view = nullptr);
+  /// The same of all units but pwm_sound, on which no other depends: the pins uo.
+  int clock_video(bool rst_n, const knobs& k, chip_view* view = nullptr);
+  /// Frame counter.
+  int frame() const { return program ? timeline.frame_q : sequencer.frame_q; }
   /// Puts the demo to the start of `frame`; to be called in the first clock of a frame.
   void deposit(int frame, const knobs& k);
-
- private:
-  int frame() const { return program ? timeline.frame_q : sequencer.frame_q; }
 };
 
 /// The navigator at the start of a frame of the demo, 0..12798, or of a program: flown there frame

@@ -6,14 +6,18 @@ namespace racebeam {
 
 namespace {
 
-/// Palettes of contract 15.2: r, g, b of 2 bits each, as pins {B0 G0 R0 . B1 G1 R1}.
-constexpr int pins(int r, int g, int b) {
+/// r * 16 + g * 4 + b.
+constexpr int rgb(int r, int g, int b) { return r << 4 | g << 2 | b; }
+/// A colour as pins {B0 G0 R0 . B1 G1 R1}.
+constexpr int pins(int colour) {
+  const int r = colour >> 4, g = colour >> 2 & 3, b = colour & 3;
   return (b & 1) << 6 | (g & 1) << 5 | (r & 1) << 4 | (b >> 1) << 2 | (g >> 1) << 1 | r >> 1;
 }
+/// Palettes of contract 15.2.
 constexpr int palettes[3][4] = {
-    {pins(0, 0, 0), pins(0, 0, 1), pins(0, 1, 2), pins(2, 2, 3)},
-    {pins(0, 0, 2), pins(0, 1, 2), pins(1, 2, 2), pins(1, 3, 2)},
-    {pins(1, 0, 1), pins(2, 1, 1), pins(3, 2, 1), pins(3, 3, 2)},
+    {rgb(0, 0, 0), rgb(0, 0, 1), rgb(0, 1, 2), rgb(2, 2, 3)},
+    {rgb(0, 0, 2), rgb(0, 1, 2), rgb(1, 2, 2), rgb(1, 3, 2)},
+    {rgb(1, 0, 1), rgb(2, 1, 1), rgb(3, 2, 1), rgb(3, 3, 2)},
 };
 
 // Bit `index` and the one below it of a dr element, counted for 10 bits.
@@ -23,16 +27,18 @@ int dr_bits(int dr, int index, const knobs& k) {
 
 }  // namespace
 
-int pixel_output_core::uo(const inputs& in, const knobs& k) {
-  const int syncs = in.hsync_n << 7 | in.vsync_n << 3;
-  if (!in.active) return syncs;
+int pixel_output_core::colour(const inputs& in, const knobs& k) {
   int index = in.display;
   if (in.lock)
     index = (dr_bits(in.dr2[0], 6, k) | dr_bits(in.dr2[2], 5, k)) & dr_bits(in.dr2[1], 7, k);
   if (in.inverse) index ^= index >> 1;
-  if (in.palette != TablePalette) return syncs | palettes[in.palette][index];
-  const int colour = in.colours >> (ColourBits * index) & low_bits(ColourBits);
-  return syncs | pins(colour >> 4, colour >> 2 & 3, colour & 3);
+  if (in.palette != TablePalette) return palettes[in.palette][index];
+  return in.colours >> (ColourBits * index) & low_bits(ColourBits);
+}
+
+int pixel_output_core::uo(const inputs& in, const knobs& k) {
+  const int syncs = in.hsync_n << 7 | in.vsync_n << 3;
+  return in.active ? syncs | pins(colour(in, k)) : syncs;
 }
 
 pixel_output::pixel_output(const sc_core::sc_module_name& name, const knobs& k)

@@ -43,6 +43,15 @@ struct pixel_output_core {
     vec3 dr2;
     int palette, colours;
   };
+  /// The pixel, r * 16 + g * 4 + b; what is not active and the syncs do not matter.
+  static int colour(const inputs& in, const knobs& k);
+  /// r * 16 + g * 4 + b of the pins.
+  static constexpr int colour_of_pins(int uo) {
+    const auto component = [uo](int high, int low) {
+      return (uo >> high & 1) << 1 | (uo >> low & 1);
+    };
+    return component(0, 4) << 4 | component(1, 5) << 2 | component(2, 6);
+  }
   /// The pins.
   static int uo(const inputs& in, const knobs& k);
 };

@@ -27,6 +27,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "sc/constants.h"
 #include "sc/unit.h"
 
@@ -75,6 +77,13 @@ struct pwm_sound_core {
     if (bit_of(pwm_q, 10)) pwm_q = (pwm_q + 1) & low_bits(11);
     if (is_busy(in.x2) || !in.rst_n) slot_clock(in);
   }
+
+  /// So many clocks, none of them busy, at once.
+  void hold(int clocks) {
+    if (bit_of(pwm_q, 10)) pwm_q = std::min(pwm_q + clocks, 1 << 11) & low_bits(11);
+  }
+  /// Clocks until the pin is 1 if none of them is busy; 0 if it is.
+  int rises_in() const { return bit_of(pwm_q, 10) ? (1 << 11) - pwm_q : 0; }
 
   /// Clocks 29 and 31 of every slot, 0 and 1 of slot 24; in all others only the pulse is counted.
   static bool is_busy(int x2) {

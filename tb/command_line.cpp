@@ -42,9 +42,12 @@ void add_render(CLI::App& app, RenderOptions& options) {
   number("--frames", options.frames, "Frames to render");
   number("--first", options.first, "First frame, 0..12798");
   number("--every", options.every, "Render only every Nth frame");
-  render->add_option("--level", options.level, "signal: SystemC units wired at 50.4 MHz")
+  render
+      ->add_option("--level", options.level,
+                   "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "
+                   "wired at 50.4 MHz (default with --use); both give the same")
       ->type_name("LEVEL")
-      ->capture_default_str();
+      ->check(NotEmpty);
   render->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -19,20 +20,30 @@
 #include "tb/signal_bench.h"
 #include "tb/stats_json.h"
 #include "tb/stats_table.h"
+#include "tb/tlm_bench.h"
 
 namespace racebeam {
 
 namespace {
 
+std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan) {
+  const bool sound = !plan.wav.empty();
+  if (plan.level == LevelTlm)
+    return std::make_unique<TlmBench>(
+        TlmBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), nullptr});
+  return std::make_unique<SignalBench>(
+      SignalBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), plan.units});
+}
+
 // Simulates the planned frames; ends early when interrupted.
-void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& files,
+void render_frames(const RenderPlan& plan, ChipBench& bench, RenderFiles& files,
                    StatsReport& report) {
   Progress progress(plan.frames);
   progress.draw(0, 0);
   if (!plan.json) print(table_header(plan.crc, plan.compare));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
     bench.seek(plan.frame(i));
-    const SignalBench::Frame frame = bench.render();
+    const ChipBench::Frame frame = bench.render();
     const std::string part = plan.show.part(frame.number);
     files.add(frame.number, part, frame.picture);
     std::optional<GoldenCounts> golden;
@@ -52,7 +63,7 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
 
 // Says how units in lockstep went. True if one differs.
 bool report_locksteps(const RenderPlan& plan, const std::vector<std::string>& assignments,
-                      const SignalBench& bench, int frames) {
+                      const ChipBench& bench, int frames) {
   std::vector<int> rendered;
   for (int i = 0; i <= frames && i < plan.frames; ++i) rendered.push_back(plan.frame(i));
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
@@ -81,7 +92,8 @@ int command_render(const RenderOptions& options) {
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
   RenderFiles files(plan, plan.manifest());
-  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program(), plan.units});
+  const std::unique_ptr<ChipBench> chip = make_bench(plan);
+  ChipBench& bench = *chip;
   StatsReport report(plan.show.name(), plan.level, plan.k);
   files.run([&] { render_frames(plan, bench, files, report); }, bench.sound(),
             [&] { return report.text(); });

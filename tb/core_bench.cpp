@@ -4,7 +4,7 @@
 
 #include <zlib.h>
 
-#include "tb/stats_collector.h"
+#include "sc/stats_collector.h"
 #include "tb/vga_monitor.h"
 
 namespace racebeam {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sc/chip_core.h"
-#include "tb/frame_stats.h"
+#include "sc/frame_stats.h"
 #include "tb/raster.h"
 
 namespace racebeam {

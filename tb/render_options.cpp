@@ -75,6 +75,17 @@ void check_outputs(const OutputPlan& plan) {
   check_extension("--stats", plan.stats, ".json");
 }
 
+// RTL has pins, so it needs a chip that is wired.
+std::string chosen_level(const RenderOptions& options) {
+  if (options.level.empty()) return options.units.empty() ? LevelTlm : LevelSignal;
+  check_known("level", options.level, {LevelTlm, LevelSignal});
+  if (options.level == LevelTlm && !options.units.empty())
+    throw UsageError(
+        "--use puts RTL between the wires of --level signal; tlm has none: leave out "
+        "--level tlm, or --use");
+  return options.level;
+}
+
 // What only the chip's own sound can do.
 void check_sound(const RenderPlan& plan) {
   if (!plan.wav.empty() && plan.tracer)
@@ -150,12 +161,11 @@ RenderPlan plan_render(const RenderOptions& options) {
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
   if (options.ui || options.uio)
     throw UsageError("--ui and --uio set pins of a chip that --tt names; a scene has --set");
-  check_known("level", options.level, {"signal"});
   const Show show = open_show(options.scene);
   RenderPlan plan{plan_output(options, show.frames()),
                   options.scene,
                   show,
-                  options.level,
+                  chosen_level(options),
                   show.standard_knobs(),
                   tracer_of(options.golden),
                   options.golden == Compare,

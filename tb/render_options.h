@@ -16,9 +16,14 @@
 
 namespace racebeam {
 
+/// Levels of the chip.
+constexpr const char* LevelTlm = "tlm";
+constexpr const char* LevelSignal = "signal";
+
 /// The command line as it was written. An empty path: not asked for.
 struct RenderOptions {
-  std::string scene, level = "signal";
+  std::string scene;
+  std::string level;  ///< empty: signal with units, else tlm
   long long frames = 1, first = 0, every = 1, gif_scale = 1;
   std::vector<std::string> assignments;  ///< knob=value
   std::vector<std::string> units;        ///< unit=implementation

@@ -34,7 +34,7 @@ void refuse_scene_options(const RenderOptions& options) {
   refuse(!options.assignments.empty(), "--set, or --tt");
   refuse(!options.units.empty(), "--use, or --tt");
   refuse(!options.golden.empty(), "--golden, or --tt");
-  refuse(options.level != RenderOptions().level, "--level, or --tt");
+  refuse(!options.level.empty(), "--level, or --tt");
 }
 
 int input_pins(const char* option, const std::optional<long long>& value) {

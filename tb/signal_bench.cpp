@@ -6,8 +6,8 @@
 
 #include "sc/chip.h"
 #include "sc/chip_core.h"
+#include "sc/stats_collector.h"
 #include "tb/pin_probe.h"
-#include "tb/stats_collector.h"
 
 namespace racebeam {
 

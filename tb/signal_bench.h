@@ -4,23 +4,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "sc/scene_program.h"
 #include "sc/unit_choices.h"
-#include "tb/frame_stats.h"
-#include "tb/lockstep.h"
-#include "tb/sound_monitor.h"
-#include "tb/vga_monitor.h"
+#include "tb/chip_bench.h"
 
 namespace racebeam {
 
-/// One simulation of the demo or a program, frame by frame. SystemC elaborates once: one bench per
-/// process.
-class SignalBench {
+class SignalBench final : public ChipBench {
  public:
   struct Options {
     knobs k;
@@ -31,27 +24,16 @@ class SignalBench {
     const scene_program* program = nullptr;
     unit_choices units{};  ///< models, RTL, or both in lockstep
   };
-  struct Frame {
-    int number;  ///< value of the frame counter while its lines are shown
-    VgaFrame picture;
-    std::optional<FrameStats> stats;
-  };
 
   /// Throws RtlError.
   explicit SignalBench(const Options& options);
-  ~SignalBench();
+  ~SignalBench() override;
 
-  /// The next frame to render; 0 after construction. Nothing between is simulated: only
-  /// the frame counter and the navigator carry state from frame to frame.
-  void seek(int frame);
-  /// Simulates one frame; the next is the following one. Throws SyncError.
-  Frame render();
-  /// Clocks simulated so far.
-  std::uint64_t clocks() const;
-  /// The units that run in lockstep, in the order of the chip.
-  std::vector<const Lockstep*> locksteps() const;
-  /// What the PWM pin played so far; nullptr if not asked for.
-  const SoundMonitor* sound() const;
+  void seek(int frame) override;
+  Frame render() override;
+  std::uint64_t clocks() const override;
+  const SoundMonitor* sound() const override;
+  std::vector<const Lockstep*> locksteps() const override;
 
  private:
   struct Platform;

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "sc/frame_stats.h"
 #include "sc/knobs.h"
-#include "tb/frame_stats.h"
 #include "tb/golden/golden_compare.h"
 #include "tb/spread.h"
 #include "tb/vga_monitor.h"

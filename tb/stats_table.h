@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "tb/frame_stats.h"
+#include "sc/frame_stats.h"
 #include "tb/stats_json.h"
 #include "tb/vga_monitor.h"
 

@@ -95,6 +95,34 @@ TEST_F(CliRenderTest, ManifestTellsHowThePicturesWereMade) {
   EXPECT_EQ(stats.at("frames")[0].at("fifo_fill").size(), 13);
 }
 
+// Pictures, counters, checksums and sound; the beam overtakes the tracer in this frame.
+TEST_F(CliRenderTest, BothLevelsGiveTheSame) {
+  const auto run = [&](const std::string& level) {
+    Program program(folder.path(), {"render", "demo", "--first", "7223", "--level", level, "--crc",
+                                    "--json", "-o", level, "--wav", level + ".wav"});
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    json stats = program.json();
+    EXPECT_EQ(stats.at("level"), level);
+    EXPECT_EQ(parse(level + "/manifest.json").at("level"), level);
+    stats.erase("level");
+    return stats;
+  };
+  EXPECT_EQ(run("tlm"), run("signal"));
+  for (const char* file : {"/frame_7223.png", ".wav"})
+    EXPECT_TRUE(read_file(folder / (std::string("tlm") + file)) ==
+                read_file(folder / (std::string("signal") + file)))
+        << file;
+}
+
+TEST_F(CliRenderTest, UseNeedsTheWiresOfTheSignalLevel) {
+  Program wired(folder.path(), {"render", "demo", "--use", "stacks=lockstep", "--json"});
+  ASSERT_EQ(wired.wait(), 0) << wired.err();
+  EXPECT_EQ(wired.json().at("level"), "signal");
+  Program refused(folder.path(), {"render", "demo", "--level", "tlm", "--use", "stacks=rtl"});
+  EXPECT_EQ(refused.wait(), 2);
+  EXPECT_THAT(refused.err(), testing::HasSubstr("--level signal"));
+}
+
 TEST_F(CliRenderTest, StatisticsAddUp) {
   Program program(folder.path(), {"render", "demo", "--frames", "2", "--first", "1", "--every",
                                   "2999", "--crc", "--json", "--stats", "a.json"});
@@ -103,7 +131,7 @@ TEST_F(CliRenderTest, StatisticsAddUp) {
   EXPECT_EQ(stats, parse("a.json"));
   EXPECT_EQ(stats.at("schema"), "racebeam-stats");
   EXPECT_EQ(stats.at("version"), 1);
-  EXPECT_EQ(stats.at("level"), "signal");
+  EXPECT_EQ(stats.at("level"), "tlm");
   EXPECT_EQ(frame_numbers(stats), (std::vector<int>{1, 3000}));
   const json& first = stats.at("frames")[0];
   const json& second = stats.at("frames")[1];

@@ -66,6 +66,7 @@ TEST_F(CliTest, UnknownNamesAreRefusedWithTheNearest) {
   expect_refused({"render", "demo", "--fraems", "3"}, {"unknown option '--fraems'", "'--frames'"});
   expect_refused({"render", "demo", "--fraems=3"}, {"unknown option '--fraems'", "'--frames'"});
   expect_refused({"render", "demo", "--level", "signl"}, {"unknown level 'signl'", "'signal'"});
+  expect_refused({"render", "demo", "--level", "tml"}, {"unknown level 'tml'", "'tlm'"});
 }
 
 TEST_F(CliTest, NumbersOutOfRangeAreRefusedWithTheRange) {

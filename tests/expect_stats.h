@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/frame_stats.h"
+#include "sc/frame_stats.h"
 
 namespace racebeam {
 

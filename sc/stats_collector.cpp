@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/stats_collector.h"
+#include "sc/stats_collector.h"
 
 #include <utility>
 

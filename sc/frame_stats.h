@@ -1,4 +1,4 @@
-// What the bench counts in a frame; the schema of stats.json follows this struct.
+// What is counted in a frame; the schema of stats.json follows this struct.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

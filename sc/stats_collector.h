@@ -5,7 +5,7 @@
 #pragma once
 
 #include "sc/chip_view.h"
-#include "tb/frame_stats.h"
+#include "sc/frame_stats.h"
 
 namespace racebeam {
 

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/chip_lines.h"
+
+namespace racebeam {
+
+chip_lines::chip_lines(const options& o)
+    : options_(o), knobs_(o.k), raster_(o.k), chip_(o.program) {
+  reset();
+}
+
+void chip_lines::reset() { chip_.clock(false, knobs_); }
+
+void chip_lines::deposit(int frame) { chip_.deposit(frame, knobs_); }
+
+int chip_lines::next_frame() const {
+  const int frames = chip_.program ? chip_.program->frames : DemoFrames;
+  return chip_.frame() == frames ? 0 : chip_.frame();  // the frame that lasts one clock
+}
+
+void chip_lines::run_line() {
+  y_ = next_line();
+  frame_ = next_frame();
+  visible_ = chip_.vga_timing.v_region_q == 1;
+  column_ = decisions_ = 0;
+  pins_.clear();
+  if (options_.sound) run_sound();
+  for (int clock = 0; clock < raster_.size(); ++clock) step(clock);
+}
+
+// One clock of all units but the sound.
+void chip_lines::step(int clock) {
+  chip_view view;
+  int uo;
+  if (options_.observer) {
+    const chip_core before = chip_;
+    uo = chip_.clock_video(true, knobs_, &view);
+    observe(before, view, clock);
+  } else {
+    uo = chip_.clock_video(true, knobs_, &view);
+  }
+  collector_.observe(view);
+  if (options_.pins) pins_.push_back(static_cast<std::uint8_t>(uo));
+  if (!visible_ || clock != raster_.column_clock[column_]) return;
+  pixels_[column_] = static_cast<std::uint8_t>(pixel_output_core::colour_of_pins(uo));
+  if (options_.observer) options_.observer->shown(y_, column_, 1, pixels_[column_]);
+  ++column_;
+}
+
+void chip_lines::observe(const chip_core& before, const chip_view& v, int clock) {
+  if (!v.run || v.line_done || v.line_end) return;
+  const bool in_return = v.state == StateReturn;
+  if (v.emit && !in_return) given_up_ = !v.wall;
+  if (v.emit && v.ack)
+    options_.observer->interval({y_, clock, before.subdivider.i1_q, v.i2,
+                                 chip_.interval_fifo.head_value_q, before.decision_datapath.room_q,
+                                 before.decision_datapath.depth_q,
+                                 before.decision_datapath.hit_face_q, given_up_, decisions_});
+  if (v.restart && v.i2 != LastPixel) options_.observer->restart(y_, clock, v.i2 + 1);
+  const bool adjusting = v.state == StateLeft && v.idx2 != v.i2;
+  if (!in_return && !v.emit && !v.second && !adjusting) ++decisions_;
+}
+
+// The sound depends on nothing but time.
+void chip_lines::run_sound() {
+  pwm_sound_core& sound = chip_.pwm_sound;
+  sound_changes_.clear();
+  bool level = sound.comb().pwm;
+  const auto change = [&](int clock) {
+    if (sound.comb().pwm == level) return;
+    level = !level;
+    sound_changes_.push_back({clock, level});
+  };
+  int now = 0;
+  const auto hold_until = [&](int clock) {
+    const int rise = now + sound.rises_in();
+    sound.hold(clock - now);
+    change(rise);
+    now = clock;
+  };
+  for (const int clock : raster_.sound_clocks) {
+    hold_until(clock);
+    sound.clock({true, knobs_.speed, raster_.x2[clock], y_, frame_});
+    change(clock + 1);
+    now = clock + 1;
+  }
+  hold_until(raster_.size());
+}
+
+}  // namespace racebeam

@@ -1,0 +1,92 @@
+// chip_lines: the chip a scan line at a time, with what a line leaves behind.
+//
+// Runs the registers of chip_core, so it is the chip in every clock: same pixels, counters, clocks
+// and pins. Between lines the registers stand at the first clock of the next line. Time is counted
+// by the caller: a line always takes line_clocks(). The sound is simulated only if asked for.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sc/chip_core.h"
+#include "sc/chip_observer.h"
+#include "sc/frame_stats.h"
+#include "sc/line_raster.h"
+#include "sc/stats_collector.h"
+
+namespace racebeam {
+
+class chip_lines {
+ public:
+  struct options {
+    knobs k{};
+    /// Instead of the built-in demo; must outlive the chip and fit the knobs.
+    const scene_program* program = nullptr;
+    bool pins = false;   ///< the pins of every clock are wanted
+    bool sound = false;  ///< the PWM pin is wanted
+    chip_observer* observer = nullptr;
+  };
+  /// The PWM pin has this level from a clock of the line on.
+  struct pwm_change {
+    int clock;
+    bool level;
+  };
+
+  /// After one clock in reset, before line -273 of frame 0.
+  explicit chip_lines(const options& o);
+
+  /// Simulates the next line.
+  void run_line();
+  /// One clock in reset: before line -273 of frame 0.
+  void reset();
+  /// Puts the demo to the start of a frame; to be called before line -273.
+  void deposit(int frame);
+
+  /// y of the next line, -273..251, and the frame that it belongs to.
+  int next_line() const { return chip_.vga_timing.v_pos_q; }
+  int next_frame() const;
+  int line_clocks() const { return raster_.size(); }
+  /// Clock of a line in which a monitor samples a visible column, 0..639.
+  int column_clock(int column) const { return raster_.column_clock[column]; }
+
+  // The line just run.
+  int y() const { return y_; }
+  int frame() const { return frame_; }
+  bool visible() const { return visible_; }
+  /// The pixels of a visible line, r * 16 + g * 4 + b, as a monitor samples them.
+  const std::array<std::uint8_t, VisibleColumns>& pixels() const { return pixels_; }
+  /// uo in each clock, if wanted.
+  const std::vector<std::uint8_t>& pins() const { return pins_; }
+  /// Changes of the PWM pin, if wanted; the last may be one clock after the line.
+  const std::vector<pwm_change>& sound() const { return sound_changes_; }
+
+  /// The counters since the last call.
+  FrameStats take_stats() { return collector_.take(); }
+  /// All registers; pwm_sound's only if the sound is wanted.
+  const chip_core& registers() const { return chip_; }
+
+ private:
+  void step(int clock);
+  void observe(const chip_core& before, const chip_view& view, int clock);
+  void run_sound();
+
+  const options options_;
+  const knobs knobs_;
+  const line_raster raster_;
+  chip_core chip_;
+  int y_ = FirstLine, frame_ = 0;
+  bool visible_ = false;
+  std::array<std::uint8_t, VisibleColumns> pixels_{};
+  std::vector<std::uint8_t> pins_;
+  std::vector<pwm_change> sound_changes_;
+  StatsCollector collector_;
+  int column_ = 0;         // next column to be shown
+  int decisions_ = 0;      // of this line
+  bool given_up_ = false;  // what is on offer has no wall
+};
+
+}  // namespace racebeam

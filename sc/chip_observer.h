@@ -1,0 +1,38 @@
+// chip_observer: who wants to see how the picture comes about, interval by interval.
+//
+// chip_lines calls it while it runs a line. Without one there is no cost: the loop is compiled
+// twice.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace racebeam {
+
+/// An interval that the FIFO took. Pixel i is shown in column i + 1; pixel 639 never.
+struct taken_interval {
+  int y;            ///< scan line, -273..251; visible ones are -240..239
+  int clock;        ///< of the line, 0 is the first of the front porch; known from then on
+  int first, last;  ///< pixels, 0..639
+  int value;        ///< colour index, 0..3
+  int room, depth;  ///< room that the tracer is in, rooms entered on the way to it
+  int face;         ///< axis of the wall hit; of an earlier hit if given up
+  bool given_up;    ///< no wall: the hurry rule ended it for a starving beam
+  int decisions;    ///< LEFT, RIGHT and BISECT ones of this line so far
+};
+
+class chip_observer {
+ public:
+  virtual ~chip_observer() = default;
+
+  /// The FIFO took an interval.
+  virtual void interval(const taken_interval& taken) = 0;
+  /// An underflow restart in this clock of line `y`: the tracer goes on from the top of the tree
+  /// with the pixels `pixel`..639.
+  virtual void restart(int y, int clock, int pixel) = 0;
+  /// `count` columns of visible line `y` from `column` on show `colour`, r * 16 + g * 4 + b, when
+  /// a monitor samples them: in clocks chip_lines::column_clock(column), ...
+  virtual void shown(int y, int column, int count, int colour) = 0;
+};
+
+}  // namespace racebeam

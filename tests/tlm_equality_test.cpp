@@ -1,0 +1,99 @@
+// The transaction-level chip is the chip: pixels, pins and counters against the cores in a loop,
+// which chip_test.cpp holds to the wired chip.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "tb/core_bench.h"
+#include "tb/demo_parts.h"
+#include "tb/scene/scene_reader.h"
+#include "tb/show.h"
+#include "tb/tlm_bench.h"
+#include "tests/expect_stats.h"
+
+namespace racebeam {
+namespace {
+
+namespace fs = std::filesystem;
+
+void expect_frame_of_the_cores(TlmBench& bench, int frame, const knobs& k,
+                               const scene_program* program = nullptr) {
+  SCOPED_TRACE("frame " + std::to_string(frame));
+  bench.seek(frame);
+  const auto got = bench.render();
+  const auto want = CoreBench(k, frame, program).render();
+  EXPECT_EQ(got.number, frame);
+  EXPECT_EQ(got.picture.pins_crc, want.pins_crc);
+  EXPECT_TRUE(got.picture.colours == want.colours);
+  expect_equal(*got.stats, want.stats);
+}
+
+class TlmDemoPart : public testing::TestWithParam<int> {};
+
+TEST_P(TlmDemoPart, HasThePixelsPinsAndCountersOfTheCores) {
+  const DemoPart& part = demo_parts()[GetParam()];
+  TlmBench bench({{}, true, true, false});
+  for (const int frame : {part.first_frame, (part.first_frame + part.last_frame) / 2})
+    expect_frame_of_the_cores(bench, frame, {});
+}
+
+INSTANTIATE_TEST_SUITE_P(Demo, TlmDemoPart,
+                         testing::Range(0, static_cast<int>(demo_parts().size())));
+
+std::vector<std::string> scene_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(RACEBEAM_SOURCE_DIR "/scenes"))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class TlmScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(TlmScene, HasThePixelsPinsAndCountersOfTheCores) {
+  const Show show(read_scene_file(GetParam()).scene, "");
+  const knobs k = show.standard_knobs();
+  TlmBench bench({k, true, true, false, show.program()});
+  for (const int frame : {0, show.frames() / 3, show.frames() - 1})
+    expect_frame_of_the_cores(bench, frame, k, show.program());
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TlmScene, testing::ValuesIn(scene_files()), [](const auto& info) {
+  std::string name =
+      fs::path(info.param).lexically_relative(RACEBEAM_SOURCE_DIR "/scenes").string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  return name;
+});
+
+/// Any setting of the built-in demo: each knob at its default, at one end or anywhere.
+knobs random_knobs(int seed) {
+  std::mt19937 random(seed);
+  const auto below = [&](int count) { return static_cast<int>(random() % count); };
+  knobs k;
+  for (const knob_info& row : knob_table()) {
+    const int max = row.member == &knobs::corner_bits ? CornerBits : row.max;
+    if (below(3) == 0) k.*row.member = below(3) == 0 ? row.min : row.min + below(max - row.min + 1);
+  }
+  return k;
+}
+
+class TlmKnobs : public testing::TestWithParam<int> {};
+
+TEST_P(TlmKnobs, HasThePixelsPinsAndCountersOfTheCores) {
+  const knobs k = random_knobs(GetParam());
+  TlmBench bench({k, true, true, false});
+  for (const int frame : {GetParam() * 419 % DemoFrames, 7223})
+    expect_frame_of_the_cores(bench, frame, k);
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, TlmKnobs, testing::Range(1, 31));
+
+}  // namespace
+}  // namespace racebeam
