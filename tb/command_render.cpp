@@ -28,6 +28,7 @@ namespace {
 void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& files,
                    StatsReport& report) {
   Progress progress(plan.frames);
+  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
   progress.draw(0, 0);
   if (!plan.json) print(table_header(plan.crc, plan.compare));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
@@ -35,6 +36,7 @@ void render_frames(const RenderPlan& plan, SignalBench& bench, RenderFiles& file
     const SignalBench::Frame frame = bench.render();
     const std::string part = plan.show.part(frame.number);
     files.add(frame.number, part, frame.picture);
+    files.add_overlays(frame.number, frame.intervals, raster);
     std::optional<GoldenCounts> golden;
     if (plan.compare) {
       const GoldenReport found =
@@ -81,7 +83,8 @@ int command_render(const RenderOptions& options) {
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
   RenderFiles files(plan, plan.manifest());
-  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program(), plan.units});
+  SignalBench bench({plan.k, true, plan.crc, !plan.wav.empty(), plan.show.program(), plan.units,
+                     !plan.overlays.empty()});
   StatsReport report(plan.show.name(), plan.level, plan.k);
   files.run([&] { render_frames(plan, bench, files, report); }, bench.sound(),
             [&] { return report.text(); });

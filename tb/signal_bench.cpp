@@ -8,6 +8,7 @@
 #include "sc/chip_core.h"
 #include "tb/pin_probe.h"
 #include "tb/stats_collector.h"
+#include "tb/view/interval_watcher.h"
 
 namespace racebeam {
 
@@ -18,22 +19,30 @@ class StatsProbe : public sc_core::sc_module {
  public:
   in_port<1> clk_i{"clk_i"};
 
-  StatsProbe(const sc_core::sc_module_name& name, const chip& dut) : sc_module(name), dut_(dut) {
+  StatsProbe(const sc_core::sc_module_name& name, const chip& dut, bool intervals)
+      : sc_module(name), dut_(dut), intervals_(intervals) {
     SC_HAS_PROCESS(StatsProbe);
     SC_METHOD(sample);
     sensitive << clk_i.pos();
     dont_initialize();
   }
   FrameStats take() { return collector_.take(); }
+  std::vector<IntervalEvent> take_intervals() { return watcher_.take(); }
 
  private:
   void sample() {
     if (std::exchange(in_reset_, false)) return;
-    collector_.observe(dut_.view());
+    const chip_view view = dut_.view();
+    collector_.observe(view);
+    if (intervals_)
+      watcher_.observe(view, static_cast<int>(dut_.room.read()),
+                       static_cast<int>(dut_.hit_face.read()));
   }
 
   const chip& dut_;
+  const bool intervals_;
   StatsCollector collector_;
+  IntervalWatcher watcher_;
   bool in_reset_ = true;  // the first edge
 };
 
@@ -68,7 +77,7 @@ struct SignalBench::Platform {
         vga(raster, [this](const VgaFrame& f) { picture = f; }, {o.crc, o.crc}),
         sound(o.sound ? new SoundMonitor : nullptr),
         pins("pins", period, period, &vga, sound.get()),
-        stats(o.stats ? new StatsProbe("stats", dut) : nullptr) {
+        stats(o.stats || o.intervals ? new StatsProbe("stats", dut, o.intervals) : nullptr) {
     dut.clk_i(clk);
     dut.rst_ni(rst_n);
     dut.speed_i(speed);
@@ -134,8 +143,9 @@ SignalBench::Frame SignalBench::render() {
   sc_core::sc_start(p.raster.frame_clocks() * p.period);
   p.clocks += p.raster.frame_clocks();
   p.pins.advance();
-  Frame frame{p.next_frame, p.picture, {}};
-  if (p.stats) frame.stats = p.stats->take();
+  Frame frame{p.next_frame, p.picture, {}, {}};
+  if (p.options.stats) frame.stats = p.stats->take();
+  if (p.options.intervals) frame.intervals = p.stats->take_intervals();
   p.next_frame = (p.next_frame + 1) % (p.options.program ? p.options.program->frames : DemoFrames);
   return frame;
 }

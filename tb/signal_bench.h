@@ -15,6 +15,7 @@
 #include "tb/lockstep.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
+#include "tb/view/interval_event.h"
 
 namespace racebeam {
 
@@ -29,12 +30,14 @@ class SignalBench {
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.
     const scene_program* program = nullptr;
-    unit_choices units{};  ///< models, RTL, or both in lockstep
+    unit_choices units{};    ///< models, RTL, or both in lockstep
+    bool intervals = false;  ///< collect IntervalEvents
   };
   struct Frame {
     int number;  ///< value of the frame counter while its lines are shown
     VgaFrame picture;
     std::optional<FrameStats> stats;
+    std::vector<IntervalEvent> intervals;
   };
 
   /// Throws RtlError.
