@@ -15,7 +15,7 @@
 #include "tb/lockstep.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
-#include "tb/view/interval_event.h"
+#include "tb/view/frame_watch.h"
 
 namespace racebeam {
 
@@ -30,8 +30,9 @@ class SignalBench {
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.
     const scene_program* program = nullptr;
-    unit_choices units{};    ///< models, RTL, or both in lockstep
-    bool intervals = false;  ///< collect IntervalEvents
+    unit_choices units{};         ///< models, RTL, or both in lockstep
+    bool intervals = false;       ///< collect IntervalEvents
+    FrameWatch* watch = nullptr;  ///< is told of every clock; must outlive the bench
   };
   struct Frame {
     int number;  ///< value of the frame counter while its lines are shown
@@ -44,10 +45,12 @@ class SignalBench {
   explicit SignalBench(const Options& options);
   ~SignalBench();
 
-  /// The next frame to render; 0 after construction. Nothing between is simulated: only
-  /// the frame counter and the navigator carry state from frame to frame.
+  /// The next frame to render; 0 after construction. Not in the middle of a frame. Nothing between
+  /// is simulated: only the frame counter and the navigator carry state from frame to frame.
   void seek(int frame);
-  /// Simulates one frame; the next is the following one. Throws SyncError.
+  /// Simulates so many clocks, to the end of the frame at most. Throws SyncError.
+  void advance(int clocks);
+  /// Simulates one frame, or the rest of one; the next is the following one. Throws SyncError.
   Frame render();
   /// Clocks simulated so far.
   std::uint64_t clocks() const;
