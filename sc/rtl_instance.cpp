@@ -31,7 +31,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     else outputs_.push_back({pin, value(rtl)});
   }
   std::string other;
-  for (const std::string& parameter : other_parameters(plugin, k)) other += " " + parameter;
+  for (const std::string& parameter : other_parameters(model(), k)) other += " " + parameter;
   if (!other.empty())
     throw RtlError(plugin + " was built with other parameters; build it with" + other);
 }

@@ -41,22 +41,6 @@ std::vector<std::pair<std::string, int>> parameter_values(const knobs& k) {
   return values;
 }
 
-/// "Name=value" of the parameters that RTL was built with and `k` wants otherwise.
-std::vector<std::string> other_parameters(const rtl_model& model, const knobs& k) {
-  std::map<std::string, int> built;  // the last setting counts
-  std::istringstream words(model.parameters);
-  for (std::string word; words >> word;) {
-    const auto equals = word.find('=');
-    if (equals != std::string::npos)
-      built[word.substr(0, equals)] = std::stoi(word.substr(equals + 1));
-  }
-  std::vector<std::string> other;
-  for (const auto& [name, value] : parameter_values(k))
-    if (const auto at = built.find(name); at != built.end() && at->second != value)
-      other.push_back(name + "=" + std::to_string(value));
-  return other;
-}
-
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
@@ -127,7 +111,7 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
   fs::path path = program_folder() / "rtl" / (unit + ".so");
   const fs::path installed = program_folder() / "../lib/racebeam" / (unit + ".so");
   if (!fs::exists(path, error) && fs::exists(installed, error)) path = installed;
-  const std::vector<std::string> other = other_parameters(path.string(), k);
+  const std::vector<std::string> other = other_parameters(rtl_library(path.string()).model(), k);
   if (other.empty()) return path.string();
   const fs::path variant = folder_beside(path) / (unit + "." + joined(other, ".") + ".so");
   if (!fs::exists(variant, error) ||
@@ -136,8 +120,19 @@ std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
   return variant.string();
 }
 
-std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k) {
-  return other_parameters(rtl_library(plugin).model(), k);
+std::vector<std::string> other_parameters(const rtl_model& model, const knobs& k) {
+  std::map<std::string, int> built;  // the last setting counts
+  std::istringstream words(model.parameters);
+  for (std::string word; words >> word;) {
+    const auto equals = word.find('=');
+    if (equals != std::string::npos)
+      built[word.substr(0, equals)] = std::stoi(word.substr(equals + 1));
+  }
+  std::vector<std::string> other;
+  for (const auto& [name, value] : parameter_values(k))
+    if (const auto at = built.find(name); at != built.end() && at->second != value)
+      other.push_back(name + "=" + std::to_string(value));
+  return other;
 }
 
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,

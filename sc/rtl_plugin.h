@@ -18,9 +18,8 @@ namespace racebeam {
 /// the user's cache. Throws RtlError.
 std::string rtl_plugin_path(const std::string& unit, const knobs& k);
 
-/// The parameters, "Name=value", that a plug-in was built with and `k` wants otherwise. Throws
-/// RtlError.
-std::vector<std::string> other_parameters(const std::string& plugin, const knobs& k);
+/// The parameters, "Name=value", that RTL was built with and `k` wants otherwise.
+std::vector<std::string> other_parameters(const rtl_model& model, const knobs& k);
 
 /// Verilates RTL of a unit, the unit's own if there are no `sources`, into the plug-in `out`, with
 /// parameters "Name=value". Throws RtlError with what Verilator says.

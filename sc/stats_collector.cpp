@@ -9,6 +9,11 @@
 
 namespace racebeam {
 
+bool is_decision(const chip_view& v) {
+  const bool returning = v.state == StateReturn || v.emit;
+  return !returning && !v.second && !(v.state == StateLeft && v.idx2 != v.i2);
+}
+
 void StatsCollector::observe(const chip_view& v) {
   ++stats_.clocks;
   if (line_clock_ == 0) visible_ = v.y >= FirstVisibleLine && v.y < FirstVisibleLine + VisibleRows;
@@ -52,8 +57,7 @@ void StatsCollector::observe_tracer(const chip_view& v) {
   if (v.descend) ++stats_.descents;
   if (v.descend && (v.tag & 7) == 7) ++stats_.rooms_entered;
   if (v.push) ++stats_.pushes;
-  if (returning || v.second) return;
-  if (v.state == StateLeft && v.idx2 != v.i2) ++stats_.adjust_steps;
+  if (!is_decision(v)) stats_.adjust_steps += !returning && !v.second;
   else if (v.state == StateLeft) ++stats_.left_decisions;
   else if (v.state == StateRight) ++stats_.right_decisions;
   else ++stats_.bisection_steps;

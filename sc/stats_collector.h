@@ -9,12 +9,18 @@
 
 namespace racebeam {
 
+/// Whether the tracer takes a decision in this clock: neither returns, nor waits for a room change,
+/// nor walks to the right end of its interval (contract 19).
+bool is_decision(const chip_view& v);
+
 class StatsCollector {
  public:
   /// One clock, in order, from the first clock of a line on.
   void observe(const chip_view& v);
   /// The counters since the last call.
   FrameStats take();
+  /// The counters since the last call of take().
+  const FrameStats& so_far() const { return stats_; }
 
  private:
   void observe_tracer(const chip_view& v);

@@ -12,6 +12,7 @@
 #include "tb/lockstep.h"
 #include "tb/sound_monitor.h"
 #include "tb/vga_monitor.h"
+#include "tb/view/interval_event.h"
 
 namespace racebeam {
 
@@ -22,6 +23,7 @@ class ChipBench {
     int number;  ///< value of the frame counter while its lines are shown
     VgaFrame picture;
     std::optional<FrameStats> stats;
+    std::vector<IntervalEvent> intervals{};  ///< if they were asked for
   };
 
   virtual ~ChipBench() = default;

@@ -77,6 +77,12 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "compare: both, and why they differ")
       ->type_name("TRACER")
       ->check(NotEmpty);
+  render
+      ->add_option("--overlay", options.overlays,
+                   "slack, cost, depth: also maps of how early each pixel was known, what it cost, "
+                   "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
   render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
   render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
 }

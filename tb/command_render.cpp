@@ -31,14 +31,15 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan) {
   if (plan.level == LevelTlm)
     return std::make_unique<TlmBench>(
         TlmBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), nullptr});
-  return std::make_unique<SignalBench>(
-      SignalBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), plan.units});
+  return std::make_unique<SignalBench>(SignalBench::Options{
+      plan.k, true, plan.crc, sound, plan.show.program(), plan.units, !plan.overlays.empty()});
 }
 
 // Simulates the planned frames; ends early when interrupted.
 void render_frames(const RenderPlan& plan, ChipBench& bench, RenderFiles& files,
                    StatsReport& report) {
   Progress progress(plan.frames);
+  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
   progress.draw(0, 0);
   if (!plan.json) print(table_header(plan.crc, plan.compare));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
@@ -46,6 +47,7 @@ void render_frames(const RenderPlan& plan, ChipBench& bench, RenderFiles& files,
     const ChipBench::Frame frame = bench.render();
     const std::string part = plan.show.part(frame.number);
     files.add(frame.number, part, frame.picture);
+    files.add_overlays(frame.number, frame.intervals, raster);
     std::optional<GoldenCounts> golden;
     if (plan.compare) {
       const GoldenReport found =

@@ -121,6 +121,10 @@ void write_png(const std::string& path, const std::vector<std::uint8_t>& colours
   write_rgb(path, rgb.data(), width, height);
 }
 
+void write_png(const std::string& path, const RgbImage& picture) {
+  write_rgb(path, picture.bytes(), picture.width(), picture.height());
+}
+
 void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>& frames, int width,
                          int height, int columns, int downscale) {
   if (frames.empty()) throw std::invalid_argument("contact sheet: no frames");

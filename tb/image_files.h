@@ -13,6 +13,7 @@
 
 #include "tb/gif_writer.h"
 #include "tb/output_file.h"
+#include "tb/view/rgb_image.h"
 
 namespace racebeam {
 
@@ -20,6 +21,9 @@ namespace racebeam {
 /// OutputError, and std::invalid_argument if the sizes disagree.
 void write_png(const std::string& path, const std::vector<std::uint8_t>& colours, int width,
                int height);
+
+/// Writes a picture as an 8-bit RGB PNG. Throws OutputError.
+void write_png(const std::string& path, const RgbImage& picture);
 
 /// One picture of a contact sheet.
 struct SheetFrame {

@@ -14,6 +14,7 @@
 
 #include "sc/constants.h"
 #include "tb/console.h"
+#include "tb/view/map_picture.h"
 
 namespace racebeam {
 
@@ -95,6 +96,16 @@ void RenderFiles::add_difference(int frame, const std::vector<std::uint8_t>& col
   if (plan_.folder.empty()) return;
   in_folder_.push_back(difference_name(frame));
   write_png(in_folder(in_folder_.back()), colours, VisibleColumns, VisibleRows);
+}
+
+void RenderFiles::add_overlays(int frame, const std::vector<IntervalEvent>& intervals,
+                               const Raster& raster) {
+  for (const MapKind kind : plan_.overlays) {
+    in_folder_.push_back(fmt::format("overlay_{}_{:04}.png", map_name(kind), frame));
+    write_png(in_folder(in_folder_.back()),
+              map_picture(make_map(kind, intervals, raster),
+                          fmt::format("{} frame {}", what_.scene, frame)));
+  }
 }
 
 void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* sound,

@@ -33,6 +33,9 @@ class RenderFiles {
   /// Where a whole frame differs from the golden tracers; into the folder. Throws OutputError.
   void add_difference(int frame, const std::vector<std::uint8_t>& colours);
 
+  /// The maps of a whole frame that were asked for; into the folder. Throws OutputError.
+  void add_overlays(int frame, const std::vector<IntervalEvent>& intervals, const Raster& raster);
+
   /// Calls `render`, which adds frames, and then finish(). If either throws SyncError or
   /// OutputError, what belongs to the whole frames is kept, which is told, and that is thrown on.
   void run(const std::function<void()>& render, const SoundMonitor* sound,

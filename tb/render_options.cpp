@@ -8,6 +8,7 @@
 #include <cctype>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 #include "tb/nearest.h"
@@ -38,6 +39,22 @@ void check_known(const std::string& kind, const std::string& name,
   for (const std::string& one : known)
     if (one == name) return;
   throw unknown_name(kind, name, known);
+}
+
+// "slack,cost" and more of them.
+std::vector<MapKind> maps_of(const std::vector<std::string>& overlays) {
+  std::vector<std::string> known;
+  for (const MapKind kind : MapKinds) known.push_back(map_name(kind));
+  std::vector<MapKind> maps;
+  for (const std::string& names : overlays) {
+    std::istringstream parts(names);
+    for (std::string name; std::getline(parts, name, ',');) {
+      check_known("overlay", name, known);
+      const MapKind kind = MapKinds[std::find(known.begin(), known.end(), name) - known.begin()];
+      if (std::find(maps.begin(), maps.end(), kind) == maps.end()) maps.push_back(kind);
+    }
+  }
+  return maps;
 }
 
 constexpr const char* Compare = "compare";
@@ -77,7 +94,8 @@ void check_outputs(const OutputPlan& plan) {
 
 // RTL has pins, so it needs a chip that is wired.
 std::string chosen_level(const RenderOptions& options) {
-  if (options.level.empty()) return options.units.empty() ? LevelTlm : LevelSignal;
+  const bool wired = !options.units.empty() || !options.overlays.empty();
+  if (options.level.empty()) return wired ? LevelSignal : LevelTlm;
   check_known("level", options.level, {LevelTlm, LevelSignal});
   if (options.level == LevelTlm && !options.units.empty())
     throw UsageError(
@@ -113,7 +131,8 @@ void check_distinct(const OutputPlan& plan) {
     const std::string name = file.filename().string();
     const bool same_stats = name == "stats.json" && path == plan.stats;
     if (name == "manifest.json" || (name == "stats.json" && !same_stats) ||
-        name.rfind("frame_", 0) == 0 || name.rfind("difference_", 0) == 0)
+        name.rfind("frame_", 0) == 0 || name.rfind("difference_", 0) == 0 ||
+        name.rfind("overlay_", 0) == 0)
       throw UsageError(path + " is a name that the folder " + plan.folder +
                        " needs itself; choose another");
   }
@@ -151,7 +170,11 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
       options.command};
   check_outputs(plan);
   check_distinct(plan);
-  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty())
+  plan.overlays = maps_of(options.overlays);
+  if (!plan.overlays.empty() && (!options.project.empty() || tracer_of(options.golden)))
+    throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
+  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty() ||
+      (plan.folder.empty() && !plan.overlays.empty()))
     plan.folder = DefaultFolder;
   return plan;
 }

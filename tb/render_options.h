@@ -13,6 +13,7 @@
 #include "tb/golden/golden_picture.h"
 #include "tb/manifest.h"
 #include "tb/show.h"
+#include "tb/view/frame_maps.h"
 
 namespace racebeam {
 
@@ -28,9 +29,10 @@ struct RenderOptions {
   std::vector<std::string> assignments;  ///< knob=value
   std::vector<std::string> units;        ///< unit=implementation
   std::string folder, gif, wav, sheet, stats;
-  std::string golden;                ///< a golden tracer, "compare", or empty
-  std::string project;               ///< Tiny Tapeout project folder, instead of a scene
-  std::optional<long long> ui, uio;  ///< input pins of that project's chip
+  std::vector<std::string> overlays;  ///< names of maps
+  std::string golden;                 ///< a golden tracer, "compare", or empty
+  std::string project;                ///< Tiny Tapeout project folder, instead of a scene
+  std::optional<long long> ui, uio;   ///< input pins of that project's chip
   bool crc = false, json = false;
   std::vector<std::string> command;  ///< for the manifest
 };
@@ -41,6 +43,7 @@ struct OutputPlan {
   std::string folder, gif, wav, sheet, stats;
   bool crc, json;
   std::vector<std::string> command;
+  std::vector<MapKind> overlays{};  ///< into the folder, for each frame
 };
 
 /// The chip of this project, or a golden tracer, and a show.

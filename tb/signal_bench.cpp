@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/signal_bench.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sc/chip.h"
 #include "sc/chip_core.h"
 #include "sc/stats_collector.h"
 #include "tb/pin_probe.h"
+#include "tb/view/interval_watcher.h"
 
 namespace racebeam {
 
@@ -18,22 +20,38 @@ class StatsProbe : public sc_core::sc_module {
  public:
   in_port<1> clk_i{"clk_i"};
 
-  StatsProbe(const sc_core::sc_module_name& name, const chip& dut) : sc_module(name), dut_(dut) {
+  StatsProbe(const sc_core::sc_module_name& name, const chip& dut,
+             const SignalBench::Options& options)
+      : sc_module(name),
+        dut_(dut),
+        stats_(options.stats),
+        intervals_(options.intervals),
+        watch_(options.watch) {
     SC_HAS_PROCESS(StatsProbe);
     SC_METHOD(sample);
     sensitive << clk_i.pos();
     dont_initialize();
   }
   FrameStats take() { return collector_.take(); }
+  std::vector<IntervalEvent> take_intervals() { return watcher_.take(); }
 
  private:
   void sample() {
     if (std::exchange(in_reset_, false)) return;
-    collector_.observe(dut_.view());
+    const chip_view view = dut_.view();
+    if (stats_) collector_.observe(view);
+    if (!intervals_ && !watch_) return;
+    const int room = static_cast<int>(dut_.room.read());
+    const int face = static_cast<int>(dut_.hit_face.read());
+    if (intervals_) watcher_.observe(view, room, face);
+    if (watch_) watch_->clock(static_cast<int>(dut_.uo_o->read()), view, room, face);
   }
 
   const chip& dut_;
+  const bool stats_, intervals_;
+  FrameWatch* const watch_;
   StatsCollector collector_;
+  IntervalWatcher watcher_;
   bool in_reset_ = true;  // the first edge
 };
 
@@ -55,6 +73,7 @@ struct SignalBench::Platform {
   std::unique_ptr<StatsProbe> stats;
   std::vector<std::unique_ptr<Lockstep>> locksteps;
   int next_frame = 0;
+  int frame_clock = 0;  // of the frame that is being simulated
   std::uint64_t clocks = 0;
 
   void watch();
@@ -68,7 +87,7 @@ struct SignalBench::Platform {
         vga(raster, [this](const VgaFrame& f) { picture = f; }, {o.crc, o.crc}),
         sound(o.sound ? new SoundMonitor : nullptr),
         pins("pins", period, period, &vga, sound.get()),
-        stats(o.stats ? new StatsProbe("stats", dut) : nullptr) {
+        stats(o.stats || o.intervals || o.watch ? new StatsProbe("stats", dut, o) : nullptr) {
     dut.clk_i(clk);
     dut.rst_ni(rst_n);
     dut.speed_i(speed);
@@ -129,14 +148,25 @@ void SignalBench::seek(int frame) {
   platform_->next_frame = frame;
 }
 
+void SignalBench::advance(int clocks) {
+  Platform& p = *platform_;
+  const int count = std::min(clocks, p.raster.frame_clocks() - p.frame_clock);
+  sc_core::sc_start(count * p.period);
+  p.clocks += count;
+  p.frame_clock += count;
+  if (p.frame_clock < p.raster.frame_clocks()) return;
+  p.frame_clock = 0;
+  p.next_frame = (p.next_frame + 1) % (p.options.program ? p.options.program->frames : DemoFrames);
+  p.pins.advance();
+}
+
 SignalBench::Frame SignalBench::render() {
   Platform& p = *platform_;
-  sc_core::sc_start(p.raster.frame_clocks() * p.period);
-  p.clocks += p.raster.frame_clocks();
-  p.pins.advance();
-  Frame frame{p.next_frame, p.picture, {}};
-  if (p.stats) frame.stats = p.stats->take();
-  p.next_frame = (p.next_frame + 1) % (p.options.program ? p.options.program->frames : DemoFrames);
+  const int number = p.next_frame;
+  advance(p.raster.frame_clocks());
+  Frame frame{number, p.picture, {}, {}};
+  if (p.options.stats) frame.stats = p.stats->take();
+  if (p.options.intervals) frame.intervals = p.stats->take_intervals();
   return frame;
 }
 

@@ -10,6 +10,7 @@
 #include "sc/scene_program.h"
 #include "sc/unit_choices.h"
 #include "tb/chip_bench.h"
+#include "tb/view/frame_watch.h"
 
 namespace racebeam {
 
@@ -22,14 +23,20 @@ class SignalBench final : public ChipBench {
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.
     const scene_program* program = nullptr;
-    unit_choices units{};  ///< models, RTL, or both in lockstep
+    unit_choices units{};         ///< models, RTL, or both in lockstep
+    bool intervals = false;       ///< collect IntervalEvents
+    FrameWatch* watch = nullptr;  ///< is told of every clock; must outlive the bench
   };
 
   /// Throws RtlError.
   explicit SignalBench(const Options& options);
   ~SignalBench() override;
 
+  /// Not in the middle of a frame.
   void seek(int frame) override;
+  /// Simulates so many clocks, to the end of the frame at most. Throws SyncError.
+  void advance(int clocks);
+  /// One frame, or the rest of one.
   Frame render() override;
   std::uint64_t clocks() const override;
   const SoundMonitor* sound() const override;

@@ -1,0 +1,30 @@
+// FrameSound: the sound pin of whole frames, without the rest of the chip.
+//
+// The sound depends on the frame counter alone, so a viewer that leaves out frames can play it
+// whole: pwm_sound's own core is clocked by a raster, as the chip clocks it, and each of its
+// pulses becomes the mean level of its half line.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "sc/pwm_sound.h"
+
+namespace racebeam {
+
+class FrameSound {
+ public:
+  static constexpr int Rate = SampleRate;  ///< samples a second
+
+  /// FrameSamples samples of a frame, -1..1 around the mean level of what was played so far.
+  std::vector<float> play(int frame);
+
+ private:
+  pwm_sound_core core_;
+  double mean_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace racebeam

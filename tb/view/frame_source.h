@@ -1,0 +1,52 @@
+// FrameSource: a chip that runs for a viewer, at whatever level.
+//
+// It stands before some clock of a frame and is moved on by clocks, never past the end of a frame,
+// so that a line, a pixel or a whole frame are the same request with other numbers.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/fixed_point.h"
+#include "tb/view/frame_watch.h"
+
+namespace racebeam {
+
+/// Where a free camera is: position from the centre of its room, turns in 1/2048, fov in pixels.
+struct Pose {
+  int room = 0;
+  vec3 position{};
+  int yaw = 0, pitch = 0, fov = 96;
+};
+
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+
+  /// "core", "signal".
+  virtual const char* level() const = 0;
+  /// Simulates frames at about the pace of the show: frames that come too late may be left out.
+  /// Else every clock is shown as it comes.
+  virtual bool fast() const = 0;
+  virtual const FrameWatch& watch() const = 0;
+
+  /// Stands before the first clock of `frame`, on the camera's own path. A frame that is half shown
+  /// is given up, or shown to its end where the level cannot do that.
+  virtual void seek(int frame) = 0;
+  /// Runs up to `clocks` clocks, not past the end of the frame. Returns how many it ran.
+  virtual int advance(int clocks) = 0;
+
+  /// Whether fly() works.
+  virtual bool can_fly() const { return false; }
+  /// Before the first clock of a frame: the next frame is a frame of the shot that holds at
+  /// `frame`, seen from `pose`. seek() ends it.
+  virtual void fly(int frame, const Pose& pose);
+
+  /// Clocks up to the end of the frame; of a whole frame if it stands before the first.
+  int clocks_left() const {
+    const int all = watch().raster().frame_clocks();
+    return watch().whole() ? all : all - watch().seen();
+  }
+};
+
+}  // namespace racebeam

@@ -1,0 +1,51 @@
+// FrameWatch: all that a viewer wants to know of the frame at the beam, clock by clock.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "sc/chip_view.h"
+#include "sc/frame_stats.h"
+#include "sc/stats_collector.h"
+#include "tb/view/beam_screen.h"
+#include "tb/view/interval_watcher.h"
+
+namespace racebeam {
+
+class FrameWatch {
+ public:
+  explicit FrameWatch(const Raster& raster) : raster_(raster), screen_(raster) {}
+
+  /// The next clock: the pins, the settled wires, room and hit face of decision_datapath.
+  void clock(int uo, const chip_view& view, int room, int face);
+  /// The next clock is the first of a frame, wherever the last one was; the picture stays.
+  void restart();
+
+  /// Clocks of the frame that were seen; 0..clocks of a frame. The last whole frame stays until
+  /// the first clock of the next.
+  int seen() const { return seen_; }
+  bool whole() const { return seen_ == raster_.frame_clocks(); }
+  const Raster& raster() const { return raster_; }
+  const BeamScreen& screen() const { return screen_; }
+  /// Of the frame so far.
+  const std::vector<IntervalEvent>& intervals() const { return watcher_.seen(); }
+  const FrameStats& stats() const { return collector_.so_far(); }
+  /// The wires of the last clock.
+  const chip_view& now() const { return now_; }
+  /// Number of the frame at the beam.
+  int frame() const { return frame_; }
+
+ private:
+  void forget();
+
+  const Raster raster_;
+  BeamScreen screen_;
+  StatsCollector collector_;
+  IntervalWatcher watcher_;
+  chip_view now_{};
+  int seen_ = 0, frame_ = 0;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,30 @@
+// SignalSource: the wired SystemC chip, with whatever RTL is in it, as the source of frames.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tb/signal_bench.h"
+#include "tb/view/frame_source.h"
+
+namespace racebeam {
+
+/// One per process.
+class SignalSource : public FrameSource {
+ public:
+  /// The program, if any, must outlive the source and fit the knobs. Throws RtlError.
+  SignalSource(const knobs& k, const scene_program* program, const unit_choices& units);
+
+  const char* level() const override { return "signal"; }
+  bool fast() const override { return false; }
+  const FrameWatch& watch() const override { return watch_; }
+  void seek(int frame) override;
+  /// Throws SyncError.
+  int advance(int clocks) override;
+
+ private:
+  FrameWatch watch_;
+  SignalBench bench_;
+};
+
+}  // namespace racebeam
