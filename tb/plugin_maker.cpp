@@ -71,7 +71,7 @@ std::string PluginMaker::own(const std::string& unit) const {
   if (parameters.empty()) return "";
   need_verilator();
   const std::string plugin = scratch(unit + ".own.so");
-  for (const auto& other : other_parameters(rtl_plugin_path(unit, {}), knobs_))
+  for (const auto& other : other_parameters(rtl_library(rtl_plugin_path(unit, {})).model(), knobs_))
     parameters.push_back(other);
   build_rtl_plugin(unit, {}, parameters, plugin);
   return plugin;
@@ -86,7 +86,7 @@ std::string PluginMaker::users(const std::string& unit, const std::string& file)
   const std::string plugin = scratch(unit + ".so");
   std::vector<std::string> parameters = table_parameters(unit);
   build_rtl_plugin(unit, {file}, parameters, plugin);
-  const auto other = other_parameters(plugin, knobs_);
+  const auto other = other_parameters(rtl_library(plugin).model(), knobs_);
   if (other.empty()) return plugin;
   parameters.insert(parameters.end(), other.begin(), other.end());
   build_rtl_plugin(unit, {file}, parameters, plugin);
