@@ -24,7 +24,8 @@ void chip_lines::run_line() {
   visible_ = chip_.vga_timing.v_region_q == 1;
   column_ = decisions_ = 0;
   pins_.clear();
-  if (options_.sound) run_sound();
+  if (options_.sound)
+    run_sound_line(chip_.pwm_sound, raster_, knobs_.speed, y_, frame_, sound_changes_);
   for (int clock = 0; clock < raster_.size(); ++clock) step(clock);
 }
 
@@ -59,32 +60,6 @@ void chip_lines::observe(const chip_core& before, const chip_view& v, int clock)
   if (v.restart && v.i2 != LastPixel) options_.observer->restart(y_, clock, v.i2 + 1);
   const bool adjusting = v.state == StateLeft && v.idx2 != v.i2;
   if (!in_return && !v.emit && !v.second && !adjusting) ++decisions_;
-}
-
-// The sound depends on nothing but time.
-void chip_lines::run_sound() {
-  pwm_sound_core& sound = chip_.pwm_sound;
-  sound_changes_.clear();
-  bool level = sound.comb().pwm;
-  const auto change = [&](int clock) {
-    if (sound.comb().pwm == level) return;
-    level = !level;
-    sound_changes_.push_back({clock, level});
-  };
-  int now = 0;
-  const auto hold_until = [&](int clock) {
-    const int rise = now + sound.rises_in();
-    sound.hold(clock - now);
-    change(rise);
-    now = clock;
-  };
-  for (const int clock : raster_.sound_clocks) {
-    hold_until(clock);
-    sound.clock({true, knobs_.speed, raster_.x2[clock], y_, frame_});
-    change(clock + 1);
-    now = clock + 1;
-  }
-  hold_until(raster_.size());
 }
 
 }  // namespace racebeam

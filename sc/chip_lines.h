@@ -16,6 +16,7 @@
 #include "sc/chip_observer.h"
 #include "sc/frame_stats.h"
 #include "sc/line_raster.h"
+#include "sc/sound_line.h"
 #include "sc/stats_collector.h"
 
 namespace racebeam {
@@ -29,11 +30,6 @@ class chip_lines {
     bool pins = false;   ///< the pins of every clock are wanted
     bool sound = false;  ///< the PWM pin is wanted
     chip_observer* observer = nullptr;
-  };
-  /// The PWM pin has this level from a clock of the line on.
-  struct pwm_change {
-    int clock;
-    bool level;
   };
 
   /// After one clock in reset, before line -273 of frame 0.
@@ -72,7 +68,6 @@ class chip_lines {
  private:
   void step(int clock);
   void observe(const chip_core& before, const chip_view& view, int clock);
-  void run_sound();
 
   const options options_;
   const knobs knobs_;

@@ -42,6 +42,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
   number("--frames", options.frames, "Frames to render");
   number("--first", options.first, "First frame, 0..12798");
   number("--every", options.every, "Render only every Nth frame");
+  number("--jobs", options.jobs, "Processes that share the frames; the files are the same");
   render
       ->add_option("--level", options.level,
                    "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "

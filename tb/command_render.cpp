@@ -10,56 +10,40 @@
 
 #include "tb/console.h"
 #include "tb/errors.h"
-#include "tb/golden/golden_compare.h"
+#include "tb/frame_renderer.h"
+#include "tb/frame_sequence.h"
 #include "tb/interrupt.h"
 #include "tb/lockstep_report.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
 #include "tb/render_golden.h"
 #include "tb/render_tt.h"
-#include "tb/signal_bench.h"
+#include "tb/sound_track.h"
 #include "tb/stats_json.h"
 #include "tb/stats_table.h"
-#include "tb/tlm_bench.h"
 
 namespace racebeam {
 
 namespace {
 
-std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan) {
-  const bool sound = !plan.wav.empty();
-  if (plan.level == LevelTlm)
-    return std::make_unique<TlmBench>(
-        TlmBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), nullptr});
-  return std::make_unique<SignalBench>(SignalBench::Options{
-      plan.k, true, plan.crc, sound, plan.show.program(), plan.units, !plan.overlays.empty()});
-}
-
 // Simulates the planned frames; ends early when interrupted.
-void render_frames(const RenderPlan& plan, ChipBench& bench, RenderFiles& files,
-                   StatsReport& report) {
+void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* sound,
+                   RenderFiles& files, StatsReport& report) {
   Progress progress(plan.frames);
-  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  std::uint64_t clocks = 0;
   progress.draw(0, 0);
   if (!plan.json) print(table_header(plan.crc, plan.compare));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
-    bench.seek(plan.frame(i));
-    const ChipBench::Frame frame = bench.render();
-    const std::string part = plan.show.part(frame.number);
-    files.add(frame.number, part, frame.picture);
-    files.add_overlays(frame.number, frame.intervals, raster);
-    std::optional<GoldenCounts> golden;
-    if (plan.compare) {
-      const GoldenReport found =
-          golden_compare(plan.show, frame.number, plan.k, frame.picture.colours);
-      golden = found.counts;
-      files.add_difference(frame.number, found.difference);
-    }
-    report.add(frame.number, part, *frame.stats, frame.picture, plan.crc, golden);
+    const std::optional<RenderedFrame> frame = frames.next();
+    if (!frame) break;
+    const std::string part = plan.show.part(frame->number);
+    if (sound) sound->play(frame->number);
+    files.add(*frame, part);
+    report.add(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden);
     progress.clear();
     if (!plan.json)
-      print(table_row(frame.number, part, *frame.stats, frame.picture, plan.crc, golden));
-    progress.draw(i + 1, bench.clocks());
+      print(table_row(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden));
+    progress.draw(i + 1, clocks += frame->stats.clocks);
   }
 }
 
@@ -94,14 +78,25 @@ int command_render(const RenderOptions& options) {
   catch_interrupts();
   if (plan.tracer) return render_golden(plan);
   RenderFiles files(plan, plan.manifest());
-  const std::unique_ptr<ChipBench> chip = make_bench(plan);
-  ChipBench& bench = *chip;
+  // Several processes have no sound: it goes from frame to frame.
+  const bool alone = plan.jobs == 1;
+  std::optional<SoundTrack> track;
+  if (!plan.wav.empty() && !alone) track.emplace(plan.k);
+  std::shared_ptr<FrameRenderer> chip;  // of this process
+  FrameSequence frames(plan.jobs, plan.frames, [&]() -> FrameSequence::Render {
+    chip = std::make_shared<FrameRenderer>(plan, alone && !plan.wav.empty());
+    return [chip](int index) { return chip->render(index); };
+  });
   StatsReport report(plan.show.name(), plan.level, plan.k);
-  files.run([&] { render_frames(plan, bench, files, report); }, bench.sound(),
+  files.run([&] { render_frames(plan, frames, track ? &*track : nullptr, files, report); },
+            track  ? &track->sound()
+            : chip ? chip->bench().sound()
+                   : nullptr,
             [&] { return report.text(); });
   if (plan.json) print(report.text());
   else if (report.frames() > 1) print(table_total(report));
-  const bool differs = report_locksteps(plan, options.assignments, bench, report.frames());
+  const bool differs =
+      chip && report_locksteps(plan, options.assignments, chip->bench(), report.frames());
   const bool whole = report.frames() == plan.frames;
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;

@@ -13,14 +13,6 @@ namespace racebeam {
 
 namespace {
 
-void write_all(int file, const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t wrote = write(file, text.data() + done, text.size() - done);
-    if (wrote < 0 && errno != EINTR) return;
-    if (wrote > 0) done += static_cast<std::size_t>(wrote);
-  }
-}
-
 std::string read_all(int file) {
   std::string text;
   char buffer[4096];
@@ -32,6 +24,15 @@ std::string read_all(int file) {
 }
 
 }  // namespace
+
+bool write_all(int file, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t wrote = write(file, bytes.data() + done, bytes.size() - done);
+    if (wrote < 0 && errno != EINTR) return false;
+    if (wrote > 0) done += static_cast<std::size_t>(wrote);
+  }
+  return true;
+}
 
 std::string forked(const std::function<std::string()>& work) {
   int pipe_ends[2];

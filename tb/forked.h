@@ -13,4 +13,7 @@ namespace racebeam {
 /// std::runtime_error of the same text.
 std::string forked(const std::function<std::string()>& work);
 
+/// Writes all bytes to a pipe; false if its reader is gone.
+bool write_all(int file, const std::string& bytes);
+
 }  // namespace racebeam

@@ -8,7 +8,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <exception>
 #include <stdexcept>
 
 namespace racebeam {
@@ -20,35 +19,6 @@ constexpr int CaptionHeight = 22;  // pixels
 constexpr int FontSize = 14;       // pixels
 constexpr std::uint8_t Paper = 32, Ink = 224;
 
-/// Lets OpenImageIO write into an OutputFile and keeps the first error. No exception may pass
-/// through the C libraries below it.
-class OutputProxy : public OIIO::Filesystem::IOProxy {
- public:
-  explicit OutputProxy(OutputFile& file) : IOProxy(file.path(), Write), file_(file) {}
-
-  const char* proxytype() const override { return "racebeam"; }
-  std::size_t write(const void* data, std::size_t size) override {
-    if (failure_) return 0;
-    try {
-      file_.write(data, size);
-    } catch (const std::exception&) {
-      failure_ = std::current_exception();
-      return 0;
-    }
-    m_pos += static_cast<std::int64_t>(size);
-    return size;
-  }
-  std::size_t size() const override { return static_cast<std::size_t>(m_pos); }
-  /// Throws the first error again.
-  void check() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  OutputFile& file_;
-  std::exception_ptr failure_;
-};
-
 std::uint8_t channel(int colour, int index) {
   return static_cast<std::uint8_t>((colour >> (4 - 2 * index) & 3) * 85);
 }
@@ -59,20 +29,18 @@ void check_size(const std::vector<std::uint8_t>& colours, int width, int height)
 }
 
 /// `rgb` holds 8-bit values, row by row.
-void write_rgb(const std::string& path, const std::uint8_t* rgb, int width, int height) {
-  OutputFile file(path);
-  OutputProxy proxy(file);
+std::string png_of(const std::uint8_t* rgb, int width, int height) {
+  OIIO::Filesystem::IOVecOutput bytes;
   const auto out = OIIO::ImageOutput::create("png");
-  if (!out) throw OutputError(path, OIIO::geterror());
+  if (!out) throw std::runtime_error("OpenImageIO has no PNG: " + OIIO::geterror());
   OIIO::ImageSpec spec(width, height, Channels, OIIO::TypeDesc::UINT8);
-  OIIO::Filesystem::IOProxy* const target = &proxy;
+  OIIO::Filesystem::IOProxy* const target = &bytes;
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &target);
   // Each step may also report success and leave an error behind.
-  const bool good = out->open(path, spec) && out->write_image(OIIO::TypeDesc::UINT8, rgb) &&
-                    out->close() && !out->has_error();
-  proxy.check();
-  if (!good) throw OutputError(path, out->geterror());
-  file.commit(1);
+  if (!out->open("memory.png", spec) || !out->write_image(OIIO::TypeDesc::UINT8, rgb) ||
+      !out->close() || out->has_error())
+    throw std::runtime_error("OpenImageIO cannot make a PNG: " + out->geterror());
+  return {bytes.buffer().begin(), bytes.buffer().end()};
 }
 
 /// Means of blocks of pixels, put at (left, top) of the sheet.
@@ -111,18 +79,26 @@ void put_caption(OIIO::ImageBuf& sheet, const std::string& caption, int left, in
 
 }  // namespace
 
-void write_png(const std::string& path, const std::vector<std::uint8_t>& colours, int width,
-               int height) {
+std::string png_bytes(const std::vector<std::uint8_t>& colours, int width, int height) {
   check_size(colours, width, height);
   std::vector<std::uint8_t> rgb;
   rgb.reserve(colours.size() * Channels);
   for (const std::uint8_t colour : colours)
     for (int c = 0; c < Channels; ++c) rgb.push_back(channel(colour, c));
-  write_rgb(path, rgb.data(), width, height);
+  return png_of(rgb.data(), width, height);
+}
+
+std::string png_bytes(const RgbImage& picture) {
+  return png_of(picture.bytes(), picture.width(), picture.height());
+}
+
+void write_png(const std::string& path, const std::vector<std::uint8_t>& colours, int width,
+               int height) {
+  write_text(path, png_bytes(colours, width, height));
 }
 
 void write_png(const std::string& path, const RgbImage& picture) {
-  write_rgb(path, picture.bytes(), picture.width(), picture.height());
+  write_text(path, png_bytes(picture));
 }
 
 void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>& frames, int width,
@@ -146,8 +122,8 @@ void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>&
     put_caption(sheet, frames[i].caption, left,
                 top + cell_height - Gap - (CaptionHeight - FontSize), cell_width - Gap);
   }
-  write_rgb(path, static_cast<const std::uint8_t*>(sheet.localpixels()), sheet.spec().width,
-            sheet.spec().height);
+  write_text(path, png_of(static_cast<const std::uint8_t*>(sheet.localpixels()), sheet.spec().width,
+                          sheet.spec().height));
 }
 
 }  // namespace racebeam

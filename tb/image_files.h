@@ -17,12 +17,16 @@
 
 namespace racebeam {
 
-/// Writes width * height colours, row by row, r * 16 + g * 4 + b, as an 8-bit RGB PNG. Throws
-/// OutputError, and std::invalid_argument if the sizes disagree.
+/// width * height colours, row by row, r * 16 + g * 4 + b, as the bytes of an 8-bit RGB PNG file.
+/// Throws std::invalid_argument if the sizes disagree.
+std::string png_bytes(const std::vector<std::uint8_t>& colours, int width, int height);
+/// A picture as the bytes of an 8-bit RGB PNG file.
+std::string png_bytes(const RgbImage& picture);
+
+/// Writes png_bytes() of the same. Throws OutputError, and as that does.
 void write_png(const std::string& path, const std::vector<std::uint8_t>& colours, int width,
                int height);
 
-/// Writes a picture as an 8-bit RGB PNG. Throws OutputError.
 void write_png(const std::string& path, const RgbImage& picture);
 
 /// One picture of a contact sheet.

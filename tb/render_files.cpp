@@ -14,7 +14,6 @@
 
 #include "sc/constants.h"
 #include "tb/console.h"
-#include "tb/view/map_picture.h"
 
 namespace racebeam {
 
@@ -27,10 +26,6 @@ constexpr const char* ManifestName = "manifest.json";
 constexpr double FramesPerSecond = 60;
 constexpr double SlowestGif = 5;  // frames per second, however few of the demo's are shown
 constexpr int SheetColumns = 4;
-
-std::string picture_name(int frame) { return fmt::format("frame_{:04}.png", frame); }
-
-std::string difference_name(int frame) { return fmt::format("difference_{:04}.png", frame); }
 
 // Writes a byte and takes it back.
 void try_writing(const std::string& path) {
@@ -64,7 +59,7 @@ RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
   std::vector<fs::path> made;
   if (!plan_.folder.empty()) made = make_folder(plan_.folder);
   try {
-    if (!plan_.folder.empty()) try_writing(in_folder(picture_name(plan_.first)));
+    if (!plan_.folder.empty()) try_writing(in_folder(fmt::format("frame_{:04}.png", plan_.first)));
     for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
       try_writing(path);
   } catch (const OutputError&) {
@@ -82,30 +77,22 @@ std::string RenderFiles::in_folder(const std::string& name) const {
   return (fs::path(plan_.folder) / name).string();
 }
 
-void RenderFiles::add(int frame, const std::string& part, const VgaFrame& picture) {
+void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
   ++frames_;
-  if (!plan_.folder.empty()) {
-    in_folder_.push_back(picture_name(frame));
-    write_png(in_folder(in_folder_.back()), picture.colours, VisibleColumns, VisibleRows);
+  for (const PictureFile& file : frame.files) {
+    in_folder_.push_back(file.name);
+    write_text(in_folder(file.name), file.bytes);
   }
-  if (gif_) gif_->add(picture.colours);
-  if (!plan_.sheet.empty()) sheet_.push_back({picture.colours, fmt::format("{} {}", frame, part)});
+  if (gif_) gif_->add(frame.picture.colours);
+  if (!plan_.sheet.empty())
+    sheet_.push_back({frame.picture.colours, fmt::format("{} {}", frame.number, part)});
 }
 
-void RenderFiles::add_difference(int frame, const std::vector<std::uint8_t>& colours) {
-  if (plan_.folder.empty()) return;
-  in_folder_.push_back(difference_name(frame));
-  write_png(in_folder(in_folder_.back()), colours, VisibleColumns, VisibleRows);
-}
-
-void RenderFiles::add_overlays(int frame, const std::vector<IntervalEvent>& intervals,
-                               const Raster& raster) {
-  for (const MapKind kind : plan_.overlays) {
-    in_folder_.push_back(fmt::format("overlay_{}_{:04}.png", map_name(kind), frame));
-    write_png(in_folder(in_folder_.back()),
-              map_picture(make_map(kind, intervals, raster),
-                          fmt::format("{} frame {}", what_.scene, frame)));
-  }
+void RenderFiles::add(int frame, const std::string& part, const VgaFrame& picture) {
+  RenderedFrame rendered{frame, picture, {}, {}, {}};
+  if (!plan_.folder.empty())
+    rendered.files.push_back(picture_file("frame", frame, picture.colours));
+  add(rendered, part);
 }
 
 void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* sound,

@@ -16,8 +16,8 @@
 #include "tb/image_files.h"
 #include "tb/manifest.h"
 #include "tb/render_options.h"
+#include "tb/rendered_frame.h"
 #include "tb/sound_monitor.h"
-#include "tb/vga_monitor.h"
 
 namespace racebeam {
 
@@ -27,14 +27,10 @@ class RenderFiles {
   /// rendered; what belongs to the plan and to the files is added. Throws OutputError.
   RenderFiles(const OutputPlan& plan, Manifest manifest);
 
-  /// A whole frame. Throws OutputError.
+  /// A whole frame; its files go into the folder. Throws OutputError.
+  void add(const RenderedFrame& frame, const std::string& part);
+  /// A frame of which there is the picture alone. Throws OutputError.
   void add(int frame, const std::string& part, const VgaFrame& picture);
-
-  /// Where a whole frame differs from the golden tracers; into the folder. Throws OutputError.
-  void add_difference(int frame, const std::vector<std::uint8_t>& colours);
-
-  /// The maps of a whole frame that were asked for; into the folder. Throws OutputError.
-  void add_overlays(int frame, const std::vector<IntervalEvent>& intervals, const Raster& raster);
 
   /// Calls `render`, which adds frames, and then finish(). If either throws SyncError or
   /// OutputError, what belongs to the whole frames is kept, which is told, and that is thrown on.

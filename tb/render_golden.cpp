@@ -8,6 +8,7 @@
 #include "tb/console.h"
 #include "tb/demo_parts.h"
 #include "tb/errors.h"
+#include "tb/frame_sequence.h"
 #include "tb/golden_json.h"
 #include "tb/interrupt.h"
 #include "tb/progress.h"
@@ -19,14 +20,17 @@ namespace {
 
 constexpr const char* Row = "{:>5}  {:<32}{}\n";
 
-VgaFrame render_frame(const RenderPlan& plan, int frame) {
-  VgaFrame picture;
+RenderedFrame render_frame(const RenderPlan& plan, int index) {
+  RenderedFrame rendered;
+  const int frame = rendered.number = plan.frame(index);
+  VgaFrame& picture = rendered.picture;
   picture.colours = golden_picture(*plan.tracer, plan.show.golden_world(frame, plan.k),
                                    plan.show.golden_camera(frame));
   if (plan.crc)
     picture.image_crc = static_cast<std::uint32_t>(
         crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));
-  return picture;
+  if (!plan.folder.empty()) rendered.files.push_back(picture_file("frame", frame, picture.colours));
+  return rendered;
 }
 
 std::string crc_column(const RenderPlan& plan, const VgaFrame& picture) {
@@ -39,17 +43,20 @@ int render_golden(const RenderPlan& plan) {
   RenderFiles files(plan, plan.manifest());
   GoldenFrames report(plan.show.name(), golden_tracer_names()[static_cast<int>(*plan.tracer)],
                       plan.k);
+  FrameSequence frames(plan.jobs, plan.frames, [&]() -> FrameSequence::Render {
+    return [&](int index) { return render_frame(plan, index); };
+  });
   Progress progress(plan.frames);
   progress.draw(0, 0);
   if (!plan.json) print(fmt::format(Row, "frame", "part", plan.crc ? " image" : ""));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
-    const int frame = plan.frame(i);
-    const VgaFrame picture = render_frame(plan, frame);
-    const std::string part = plan.show.part(frame);
-    files.add(frame, part, picture);
-    report.add(frame, part, picture, plan.crc);
+    const std::optional<RenderedFrame> frame = frames.next();
+    if (!frame) break;
+    const std::string part = plan.show.part(frame->number);
+    files.add(*frame, part);
+    report.add(frame->number, part, frame->picture, plan.crc);
     progress.clear();
-    if (!plan.json) print(fmt::format(Row, frame, part, crc_column(plan, picture)));
+    if (!plan.json) print(fmt::format(Row, frame->number, part, crc_column(plan, frame->picture)));
     progress.draw(i + 1, 0);
   }
   files.finish(nullptr, report.text());

@@ -25,6 +25,7 @@ namespace {
 constexpr const char* DefaultFolder = "racebeam_out";
 constexpr int MaxSheetFrames = 120;  // a sheet of 2500 x 8000 pixels
 constexpr int MaxGifScale = 8;
+constexpr int MaxJobs = 256;
 constexpr int SoundClocksPerPixel = 2;
 
 int checked(const char* option, long long value, long long min, long long max, const char* why) {
@@ -104,6 +105,15 @@ std::string chosen_level(const RenderOptions& options) {
   return options.level;
 }
 
+// What several processes cannot do.
+void check_jobs(const RenderPlan& plan) {
+  if (plan.jobs == 1) return;
+  for (const auto& [unit, choice] : plan.units.by_unit)
+    if (choice.lockstep)
+      throw UsageError("a comparison in lockstep runs in one process; leave out --jobs, or use " +
+                       unit + "=rtl");
+}
+
 // What only the chip's own sound can do.
 void check_sound(const RenderPlan& plan) {
   if (!plan.wav.empty() && plan.tracer)
@@ -160,6 +170,7 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
       checked("--first", options.first, 0, last, "the scene has the frames"),
       checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
       checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
+      checked("--jobs", options.jobs, 1, MaxJobs, "processes"),
       options.folder,
       options.gif,
       options.wav,
@@ -201,6 +212,7 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
   check_sound(plan);
+  check_jobs(plan);
   return plan;
 }
 

@@ -25,7 +25,7 @@ constexpr const char* LevelSignal = "signal";
 struct RenderOptions {
   std::string scene;
   std::string level;  ///< empty: signal with units, else tlm
-  long long frames = 1, first = 0, every = 1, gif_scale = 1;
+  long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
   std::vector<std::string> assignments;  ///< knob=value
   std::vector<std::string> units;        ///< unit=implementation
   std::string folder, gif, wav, sheet, stats;
@@ -39,7 +39,7 @@ struct RenderOptions {
 
 /// Which frames, and what is written about them. Every number is in its range.
 struct OutputPlan {
-  int frames, first, every, gif_scale;
+  int frames, first, every, gif_scale, jobs;
   std::string folder, gif, wav, sheet, stats;
   bool crc, json;
   std::vector<std::string> command;

@@ -35,6 +35,7 @@ void refuse_scene_options(const RenderOptions& options) {
   refuse(!options.units.empty(), "--use, or --tt");
   refuse(!options.golden.empty(), "--golden, or --tt");
   refuse(!options.level.empty(), "--level, or --tt");
+  refuse(options.jobs > 1, "--jobs: it runs on from its reset");
 }
 
 int input_pins(const char* option, const std::optional<long long>& value) {

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/frame_renderer.h"
+
+#include <fmt/format.h>
+
+#include "tb/image_files.h"
+#include "tb/raster.h"
+#include "tb/signal_bench.h"
+#include "tb/tlm_bench.h"
+#include "tb/view/map_picture.h"
+
+namespace racebeam {
+
+namespace {
+
+std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
+  if (plan.level == LevelTlm)
+    return std::make_unique<TlmBench>(
+        TlmBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), nullptr});
+  return std::make_unique<SignalBench>(SignalBench::Options{
+      plan.k, true, plan.crc, sound, plan.show.program(), plan.units, !plan.overlays.empty()});
+}
+
+PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {
+  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  return {fmt::format("overlay_{}_{:04}.png", map_name(kind), frame.number),
+          png_bytes(map_picture(make_map(kind, frame.intervals, raster),
+                                fmt::format("{} frame {}", plan.show.name(), frame.number)))};
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
+    : plan_(plan), bench_(make_bench(plan, sound)) {}
+
+RenderedFrame FrameRenderer::render(int index) {
+  bench_->seek(plan_.frame(index));
+  const ChipBench::Frame frame = bench_->render();
+  RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}};
+  const bool folder = !plan_.folder.empty();
+  if (folder) {
+    rendered.files.push_back(picture_file("frame", frame.number, frame.picture.colours));
+    for (const MapKind kind : plan_.overlays)
+      rendered.files.push_back(overlay_file(plan_, kind, frame));
+  }
+  if (!plan_.compare) return rendered;
+  const GoldenReport found =
+      golden_compare(plan_.show, frame.number, plan_.k, frame.picture.colours);
+  rendered.golden = found.counts;
+  if (folder) rendered.files.push_back(picture_file("difference", frame.number, found.difference));
+  return rendered;
+}
+
+}  // namespace racebeam
