@@ -105,6 +105,10 @@ line_setting chip_lines::setting() {
   };
   const auto plain = choice(false), shown = choice(true);
   const bool pattern = plain.lock || shown.lock;
+  const auto colour = [&](int index) {
+    return static_cast<std::uint8_t>(pixel_output_core::colour(
+        {index, false, plain.inverse, true, true, true, {}, plain.palette, plain.colours}, knobs_));
+  };
   return {knobs_,
           raster_,
           chip_.program ? chip_.program->rooms : rooms(plain.scene_flags),
@@ -112,6 +116,7 @@ line_setting chip_lines::setting() {
           y_,
           knobs_.interlace && plain.scene_interlace && (y_ & 1),
           {plain, shown},
+          {colour(0), colour(1), colour(2), colour(3)},
           pattern && visible_ ? pixels_.data() : nullptr,
           options_.observer,
           visible_ ? collector_.stats().stack_depth.data() : nullptr};
@@ -131,12 +136,8 @@ int chip_lines::angle(int src) const {
 void chip_lines::run_fast(const line_setting& line) {
   const vga_timing_core begin = chip_.vga_timing;
   const bool pattern = line.choice[0].lock || line.choice[1].lock;
-  const auto& look = line.choice[0];
-  for (int index = 0; index < 4; ++index)
-    colours_[index] = static_cast<std::uint8_t>(pixel_output_core::colour(
-        {index, false, look.inverse, true, true, true, {}, look.palette, look.colours}, knobs_));
   if (options_.pins) indices_.resize(raster_.size());
-  beam_.begin({y_, visible_ && !pattern ? pixels_.data() : nullptr, colours_,
+  beam_.begin({y_, visible_ && !pattern ? pixels_.data() : nullptr, line.colours,
                visible_ ? &collector_.stats() : nullptr, options_.observer,
                options_.pins ? indices_.data() : nullptr});
   int clock = 0;

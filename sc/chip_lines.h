@@ -102,10 +102,9 @@ class chip_lines {
   std::vector<std::uint8_t> pins_;
   std::vector<pwm_change> sound_changes_;
   StatsCollector collector_;
-  int column_ = 0;         // next column to be shown
-  int decisions_ = 0;      // of this line
-  bool given_up_ = false;  // what is on offer has no wall
-  std::uint8_t colours_[4]{};
+  int column_ = 0;                     // next column to be shown
+  int decisions_ = 0;                  // of this line
+  bool given_up_ = false;              // what is on offer has no wall
   std::vector<std::uint8_t> indices_;  // display index per clock, if the pins are wanted
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <tuple>
 
@@ -20,6 +21,29 @@ namespace racebeam {
   for (int i = 0; i < cut; ++i)
     if (x >> i & 1) sum += m >> (cut - i);
   return sum;
+}
+
+/// What the partial products below 2^cut add up to, by the low bits of both factors.
+template <int Cut>
+struct dropped_products {
+  std::uint8_t sum[1 << Cut][1 << Cut]{};
+
+  constexpr dropped_products() {
+    for (int x = 0; x < 1 << Cut; ++x)
+      for (int m = 0; m < 1 << Cut; ++m)
+        for (int i = 0; i < Cut; ++i)
+          if (x >> i & 1)
+            sum[x][m] = static_cast<std::uint8_t>(sum[x][m] + ((m & low_bits(Cut - i)) << i));
+  }
+};
+constexpr int ChipCut = 5;
+inline constexpr dropped_products<ChipCut> chip_dropped_products{};
+
+/// truncated_product by one multiplication where a table holds what is dropped.
+[[gnu::always_inline]] inline int product(int x, int m, int cut) {
+  if (cut != ChipCut) return truncated_product(x, m, cut);
+  constexpr int low = low_bits(ChipCut);
+  return (x * m - chip_dropped_products.sum[x & low][m & low]) >> ChipCut;
 }
 
 /// Behaviour of decision_datapath.
@@ -133,6 +157,9 @@ struct decision_datapath_core {
   void go_beside(int portal, const inputs& in);
   void climb(const inputs& in);
   void navigate(const inputs& in);
+  [[gnu::always_inline]] void wrap_corner(const knobs& k) {
+    for (int& c : corner_q) c = wrap_signed(c, k.corner_bits);
+  }
   [[gnu::always_inline]] void hit_wall(int face) {
     if (!wall_q) hit_face_q = face;
     wall_q = true;

@@ -22,7 +22,8 @@ namespace racebeam {
     axis = level_q & 1 ? (dom_q ? 0 : 1) : 2;
     inverted = axis == 1;
   } else {
-    axis = (face_q + 1 + (level_q & 1)) % 3;
+    axis = face_q + 1 + (level_q & 1);
+    if (axis > 2) axis -= 3;
     inverted = (level_q == 0 || level_q == 3) != (axis == 1);
   }
   // The other two axes: y z, x z, x y.
@@ -37,8 +38,8 @@ namespace racebeam {
     const int high = (ca | cb) >> k.corner_factor_bits;
     const int shift = high ? 32 - __builtin_clz(high) : 0;
     const int ma = dr_a < 0 ? ~dr_a : dr_a, mb = dr_b < 0 ? ~dr_b : dr_b;
-    ge = truncated_product(ca >> shift, mb, k.partial_products_cut) >=
-         truncated_product(cb >> shift, ma, k.partial_products_cut);
+    ge = product(ca >> shift, mb, k.partial_products_cut) >=
+         product(cb >> shift, ma, k.partial_products_cut);
   }
   return signs << 1 | (ge != inverted);
 }
@@ -64,20 +65,27 @@ namespace racebeam {
     corner_q = in.nav_position;
     second_q = wall_q = false;
     portal_q = back_q = 0;
+    wrap_corner(k);
   } else {
     const vec3 corner = corner_q;
     const int room = room_q;
     if (in.in_return && !down) wall_q = false;
-    if (down) descend(in, k);
-    else if (in.climb) climb(in);
-    else second_q = false;
+    if (down) {
+      descend(in, k);
+      wrap_corner(k);
+    } else if (in.climb) {
+      climb(in);
+      wrap_corner(k);
+    } else {
+      second_q = false;
+    }
     if (in.nav_line) {
       corner_q = corner;
       room_q = room;
       navigate(in);
+      wrap_corner(k);
     }
   }
-  for (int& c : corner_q) c = wrap_signed(c, k.corner_bits);
   descend_q = in.descend;
 }
 

@@ -32,6 +32,7 @@ struct line_setting {
   int y;
   bool interlace;               ///< this line shows the previous camera position
   sequencer_outputs choice[2];  ///< while the tracer runs; [1] where dr2 asks for the pattern
+  std::uint8_t colours[4];      ///< of the display indices, without the pattern
   std::uint8_t* row;            ///< pixels that show the pattern, if it may hold; else nullptr
   chip_observer* observer;
   std::uint64_t* depths;  ///< histogram of the interval stack's entries, 65 of them

@@ -55,6 +55,33 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
   tracer_round round;
   bool given_up = false;
   int column = line.raster.columns_before[t];  // Pattern: the next to be shown
+  const room_row* here = &scene_rom_core::row(line.rooms, place.room_q & line.room_mask);
+
+  // Pattern: the next column, now.
+  const auto show_column = [&](const sequencer_outputs& choice) {
+    if (line.row) {
+      int colour;
+      if (choice.lock) {
+        colour = pixel_output_core::colour(
+            {0, true, choice.inverse, true, true, true, rays.dr2_q, choice.palette, choice.colours},
+            k);
+      } else {
+        beam.advance(line.raster.column_clock[column]);
+        colour = line.colours[beam.display()];
+      }
+      line.row[column] = static_cast<std::uint8_t>(colour);
+      if (Watch) line.observer->shown(line.y, column, 1, colour);
+    }
+    ++column;
+  };
+  // Clocks without the lock effect are left out.
+  const auto leave_out = [&](int clocks) {
+    t += clocks;
+    if (Pattern)
+      while (column < VisibleColumns && line.raster.column_clock[column] < t)
+        show_column(line.choice[0]);
+  };
+  bool locked = false;  // the effect held in some clock of this round
 
   const auto clock = [&](auto of_state) __attribute__((always_inline)) {
     constexpr int State = decltype(of_state)::value;
@@ -64,6 +91,8 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     const bool consume =
         Pattern && column < VisibleColumns && line.raster.column_clock[column] == t;
     const sequencer_outputs& choice = line.choice[Pattern && shows_pattern(rays.dr2_q[1], k)];
+
+    if (Pattern && consume) show_column(choice);
 
     // The decision.
     const auto& top = stacks.top(sub.sp_q, k);
@@ -79,6 +108,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     in.top_i2 = top.i2;
     in.lock = Pattern && choice.lock;
     in.consume = consume;
+    locked |= in.lock;
 
     // The interval on offer.
     const bool emit = sub.emit(in, k);
@@ -119,20 +149,6 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       counts.pushes += move.push;
     }
 
-    // The pixel on show in the lock effect.
-    if (Pattern && consume) {
-      if (line.row) {
-        if (!in.lock) beam.advance(t);
-        const int colour =
-            pixel_output_core::colour({beam.display(), in.lock, choice.inverse, true, true, true,
-                                       rays.dr2_q, choice.palette, choice.colours},
-                                      k);
-        line.row[column] = static_cast<std::uint8_t>(colour);
-        if (Watch) line.observer->shown(line.y, column, 1, colour);
-      }
-      ++column;
-    }
-
     // The room.
     decision_datapath_core::inputs to{};
     to.restart = move.restart;
@@ -144,10 +160,8 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     to.signs = sub.signs();
     to.top_tag = top.tag;
     to.interlace = line.interlace;
-    const int room = place.room_q & line.room_mask;
-    const room_row& here = scene_rom_core::row(line.rooms, room);
-    to.half_size = here.half_size;
-    to.position = here.position;
+    to.half_size = here->half_size;
+    to.position = here->position;
     if (move.restart) {
       to.nav_position = chip.navigator.position_q;
       to.nav_room = chip.navigator.room_q;
@@ -155,8 +169,9 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     if (move.climb || move.leave) {
       to.face_read = stacks.face(place.depth_q, k);
       const auto look = place.look(to, k);
-      const auto beyond = scene_rom_core::look(
-          line.rooms, room, look.axis, bit_of(look.signs, look.axis), look.portal, look.way);
+      const auto beyond =
+          scene_rom_core::look(line.rooms, place.room_q & line.room_mask, look.axis,
+                               bit_of(look.signs, look.axis), look.portal, look.way);
       to.neighbour = beyond.room;
       to.back = beyond.back;
     }
@@ -166,6 +181,8 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
                   place.depth_q},
                  k);
     place.clock(to, k);
+    if (move.climb || move.leave || move.restart)
+      here = &scene_rom_core::row(line.rooms, place.room_q & line.room_mask);
     ray_stepper_core::inputs step{};
     step.delta = ddr;
     step.copy_sub = move.copy_sub;
@@ -185,12 +202,12 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     if (emit) {
       const bool still = sub.state_q == StateReturn && sub.was_return_q && sub.idx2_q == top.i2 &&
                          !place.second_q && !place.wall_q && !place.descend_q;
-      if (!Pattern && !in.ack && still) {
+      if (!in.lock && !in.ack && still) {
         const int left_out = std::min(beam.offer_again(), end) - t;
         counts.stalls += left_out;
         counts.return_clocks += left_out;
         depths[sub.sd_q] += left_out;
-        t += left_out;
+        leave_out(left_out);
       }
       if (sub.line_done_q) {
         counts.clocks = t - begin;
@@ -199,8 +216,11 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
         depths = unseen;
       }
     }
-    if (!Pattern && was_done && move.restart)
-      t += repeated_clocks(round, {sub, place, rays, stacks, t}, starves_from, end);
+    if (was_done && move.restart) {
+      if (locked) round.clock = -1;
+      locked = false;
+      leave_out(repeated_clocks(round, {sub, place, rays, stacks, t}, starves_from, end));
+    }
   };
 
   // In the lock effect dr2 goes with the beam: whole pixels at once, once all else has settled.
@@ -211,13 +231,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       if (!choice.lock || sub.idx2_q == sub.i2_q || column >= VisibleColumns) return;
       const int next = line.raster.column_clock[column] + 1;
       if (next > end) return;
-      if (line.row) {
-        const int colour = pixel_output_core::colour(
-            {0, true, choice.inverse, true, true, true, rays.dr2_q, choice.palette, choice.colours},
-            k);
-        line.row[column] = static_cast<std::uint8_t>(colour);
-        if (Watch) line.observer->shown(line.y, column, 1, colour);
-      }
+      show_column(choice);
       ray_stepper_core::inputs step{};
       step.delta = ddr;
       step.step = true;
@@ -227,7 +241,6 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       sub.follow_beam(1);
       counts.adjust += next - t;
       depths[sub.sd_q] += next - t;
-      ++column;
       t = next;
     }
   };
