@@ -14,18 +14,29 @@ namespace {
 // Clocks of a frame in which the frame counter and the navigator may still change.
 constexpr int SettlingClocks = 4;
 
-bool is_standard(const knobs& k) {
-  const knobs chip;
-  bool same = k.navigator_bits == chip.navigator_bits && k.free_flight == chip.free_flight &&
-              k.portals_per_face == chip.portals_per_face;
-  for (const knob_info& row : knob_table()) same &= k.*row.member == chip.*row.member;
+bool same_knobs(const knobs& a, const knobs& b) {
+  bool same = a.navigator_bits == b.navigator_bits && a.free_flight == b.free_flight &&
+              a.portals_per_face == b.portals_per_face;
+  for (const knob_info& row : knob_table()) same &= a.*row.member == b.*row.member;
   return same;
+}
+
+template <class Knobs, bool Watch>
+line_counts trace_with(chip_core& chip, line_beam& beam, const line_setting& line, int clock) {
+  const bool pattern = line.choice[0].lock || line.choice[1].lock;
+  return pattern ? trace_line<Knobs, true, Watch>(chip, beam, line, clock)
+                 : trace_line<Knobs, false, Watch>(chip, beam, line, clock);
 }
 
 }  // namespace
 
 chip_lines::chip_lines(const options& o)
-    : options_(o), knobs_(o.k), raster_(o.k), standard_(is_standard(o.k)), chip_(o.program) {
+    : options_(o),
+      knobs_(o.k),
+      raster_(o.k),
+      standard_(same_knobs(o.k, chip_knobs::of(o.k))),
+      scene_standard_(same_knobs(o.k, scene_knobs::of(o.k))),
+      chip_(o.program) {
   reset();
 }
 
@@ -186,15 +197,10 @@ void chip_lines::camera_clock(const int (&angles)[3]) {
 }
 
 line_counts chip_lines::trace(const line_setting& line, int clock) {
-  const bool pattern = line.choice[0].lock || line.choice[1].lock;
-  if (line.observer)
-    return pattern ? trace_line<any_knobs, true, true>(chip_, beam_, line, clock)
-                   : trace_line<any_knobs, false, true>(chip_, beam_, line, clock);
-  if (standard_)
-    return pattern ? trace_line<chip_knobs, true, false>(chip_, beam_, line, clock)
-                   : trace_line<chip_knobs, false, false>(chip_, beam_, line, clock);
-  return pattern ? trace_line<any_knobs, true, false>(chip_, beam_, line, clock)
-                 : trace_line<any_knobs, false, false>(chip_, beam_, line, clock);
+  if (line.observer) return trace_with<any_knobs, true>(chip_, beam_, line, clock);
+  if (standard_) return trace_with<chip_knobs, false>(chip_, beam_, line, clock);
+  if (scene_standard_) return trace_with<scene_knobs, false>(chip_, beam_, line, clock);
+  return trace_with<any_knobs, false>(chip_, beam_, line, clock);
 }
 
 // The clock in which the line ends: all units.

@@ -25,6 +25,17 @@ namespace racebeam {
 struct chip_knobs {
   static constexpr knobs of(const knobs&) { return {}; }
 };
+/// The taped-out chip with the widths that a scene file asks for.
+struct scene_knobs {
+  static constexpr knobs of(const knobs& k) {
+    knobs chip;
+    chip.corner_bits = k.corner_bits;
+    chip.navigator_bits = k.navigator_bits;
+    chip.portals_per_face = k.portals_per_face;
+    chip.free_flight = true;
+    return chip;
+  }
+};
 /// Any.
 struct any_knobs {
   static knobs of(const knobs& k) { return k; }
@@ -40,6 +51,10 @@ extern template line_counts trace_line<chip_knobs, false, false>(chip_core&, lin
                                                                  const line_setting&, int);
 extern template line_counts trace_line<chip_knobs, true, false>(chip_core&, line_beam&,
                                                                 const line_setting&, int);
+extern template line_counts trace_line<scene_knobs, false, false>(chip_core&, line_beam&,
+                                                                  const line_setting&, int);
+extern template line_counts trace_line<scene_knobs, true, false>(chip_core&, line_beam&,
+                                                                 const line_setting&, int);
 extern template line_counts trace_line<any_knobs, false, false>(chip_core&, line_beam&,
                                                                 const line_setting&, int);
 extern template line_counts trace_line<any_knobs, true, false>(chip_core&, line_beam&,

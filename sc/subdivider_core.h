@@ -82,11 +82,13 @@ struct subdivider_core {
     return all(*this) == all(other);
   }
 
- private:
+  /// A wall, or nothing but the hurry rule, ends the interval in this clock.
   [[gnu::always_inline]] bool hit(const inputs& in, const knobs& k) const {
     const bool accept = state_q != StateReturn && idx2_q == i2_q && !emit_done_q;
     return accept && (in.wall || (in.starving && len_m1() <= k.hurry_threshold));
   }
+
+ private:
   [[gnu::always_inline]] bool returning(const inputs& in, const knobs& k) const {
     return !in.tracer_reset && (state_q == StateReturn || hit(in, k));
   }
