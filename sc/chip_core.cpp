@@ -16,7 +16,7 @@ void look_up(const scene_program* program, int flags, int id,
   to.position = room.position;
   if (program) {
     const auto beyond =
-        scene_rom_core::look(*program, id, look.axis, negative, look.portal, look.way);
+        scene_rom_core::look(program->rooms, id, look.axis, negative, look.portal, look.way);
     to.neighbour = beyond.room;
     to.back = beyond.back;
   } else {

@@ -10,12 +10,15 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "sc/chip_core.h"
 #include "sc/chip_observer.h"
 #include "sc/frame_stats.h"
+#include "sc/line_beam.h"
 #include "sc/line_raster.h"
+#include "sc/line_setting.h"
 #include "sc/sound_line.h"
 #include "sc/stats_collector.h"
 
@@ -66,22 +69,38 @@ class chip_lines {
   const chip_core& registers() const { return chip_; }
 
  private:
+  // All units in every clock: what is rare.
+  void run_slowly();
   void step(int clock);
   void observe(const chip_core& before, const chip_view& view, int clock);
+  // The tracer in its own loop, the beam behind it.
+  void run_fast(const line_setting& line);
+  void camera_clock(const int (&angles)[3]);
+  line_counts trace(const line_setting& line, int clock);
+  void last_clock();
+  void count(const line_counts& counts);
+  void show_pins(const vga_timing_core& begin, const line_setting& line);
+  line_setting setting();
+  const std::vector<room_row>& rooms(int flags);
+  int angle(int src) const;
 
   const options options_;
   const knobs knobs_;
   const line_raster raster_;
+  const bool standard_, scene_standard_;  // knobs of the taped-out chip, for a scene file
   chip_core chip_;
+  line_beam beam_{knobs_, raster_, chip_.interval_fifo};
+  std::map<int, std::vector<room_row>> rooms_;  // by scene flags
   int y_ = FirstLine, frame_ = 0;
   bool visible_ = false;
   std::array<std::uint8_t, VisibleColumns> pixels_{};
   std::vector<std::uint8_t> pins_;
   std::vector<pwm_change> sound_changes_;
   StatsCollector collector_;
-  int column_ = 0;         // next column to be shown
-  int decisions_ = 0;      // of this line
-  bool given_up_ = false;  // what is on offer has no wall
+  int column_ = 0;                     // next column to be shown
+  int decisions_ = 0;                  // of this line
+  bool given_up_ = false;              // what is on offer has no wall
+  std::vector<std::uint8_t> indices_;  // display index per clock, if the pins are wanted
 };
 
 }  // namespace racebeam

@@ -33,6 +33,8 @@ class chip_observer {
   /// `count` columns of visible line `y` from `column` on show `colour`, r * 16 + g * 4 + b, when
   /// a monitor samples them: in clocks chip_lines::column_clock(column), ...
   virtual void shown(int y, int column, int count, int colour) = 0;
+  /// Line `y` is over; decisions as of taken_interval.
+  virtual void line_end(int y, int decisions) = 0;
 };
 
 }  // namespace racebeam

@@ -31,118 +31,11 @@
 #pragma once
 
 #include "sc/constants.h"
+#include "sc/decision_datapath_core.h"
 #include "sc/knobs.h"
 #include "sc/unit.h"
 
 namespace racebeam {
-
-/// Sum of the partial products of x * m that weigh 2^cut or more, divided by 2^cut.
-inline int truncated_product(int x, int m, int cut) {
-  int sum = (x >> cut) * m;
-  for (int i = 0; i < cut; ++i)
-    if (x >> i & 1) sum += m >> (cut - i);
-  return sum;
-}
-
-/// Behaviour of decision_datapath.
-struct decision_datapath_core {
-  int depth_q = 0, level_q = 2;
-  int room_q = 0;
-  vec3 corner_q{};
-  int face_q = 0, hit_face_q = 0;
-  bool dom_q = false, dom_prev_q = false;
-  bool wall_q = false, second_q = false, descend_q = false;
-  // Several portals in a face only: the one the room was entered by, and the one that leads back.
-  int portal_q = 0, back_q = 0;
-  // skip_shared_edges only: extent of the room being left, and per depth the levels (bits) that
-  // need no decision.
-  vec3 left_far_q{}, left_near_q{};
-  int shared_q[16]{};
-
-  struct inputs {
-    // Re-rooting
-    bool tracer_reset, restart, nav_line, active_start;
-    vec3 nav_position;  // signed
-    int nav_room;
-    // Navigator's controls, on the nav_line
-    int nav_axis, nav_portal;
-    bool nav_negative, nav_move;
-    int nav_op;
-    vec3 velocity;
-    // subdivider
-    bool descend, climb, in_return;
-    int cur, signs;  // decision to descend with; stored ray signs
-    int leave;       // {leaves by a face or past a portal's edge, decision}
-    // stacks
-    int top_tag, face_read;
-    // scene: the current room, the room looked for, and its portal that leads back here
-    vec3 half_size, position;
-    int neighbour, back;
-    bool interlace;  // this line shows the previous camera position
-  };
-
-  int tag() const { return portal_q << TagBits | depth_q << LevelBits | level_q; }
-  /// Bits of the decision that count: the three signs at the top of the tree, else the bit.
-  int mask() const { return depth_q == 0 && level_q < 4 ? 14 : 1; }
-  /// {sign z, sign y, sign x, bit} for a ray direction.
-  int decide(const vec3& dr, const knobs& k) const;
-
-  /// What scene is asked for.
-  struct lookup {
-    int axis, signs;  // of the face; per axis, 1 for towards negative coordinates
-    int portal, way;  // look_way
-  };
-  /// A climb looks back through the face the room was entered by, so does a move to the portal
-  /// before or after; else the lookup follows the ray.
-  lookup look(const inputs& in, const knobs& k) const;
-  /// A room is entered: the face stack is written at this depth.
-  bool face_write(const inputs& in) const {
-    return in.leave && level_q == 7 && in.neighbour != SolidRoom;
-  }
-  int face_code() const {
-    return back_q << (FaceBits + PortalBits) | portal_q << FaceBits | face_q | dom_prev_q;
-  }
-
-  void clock(const inputs& in, const knobs& k);
-
- private:
-  int new_face(int decision) const {
-    const bool bit = decision & 1;
-    return dom_q ? (bit ? 2 : 1) : (bit ? 0 : 2);
-  }
-  bool go_down(const inputs& in) const { return in.descend || (second_q && descend_q); }
-  static int target_depth(const inputs& in) {
-    return in.top_tag >> LevelBits & low_bits(DepthBits);
-  }
-  static int target_portal(const inputs& in) { return in.top_tag >> TagBits; }
-  /// Position of the room in the mirrored world.
-  static int mirrored_position(int a, const inputs& in) {
-    return bit_of(in.signs, a) ? -in.position[a] : in.position[a];
-  }
-  /// Which corner of the room a level tests: -1 towards the camera, 1 away from it.
-  int corner_sign(int level, int a) const {
-    if (level >= 4) return 1;
-    return level < 2 && a != face_q ? 1 : -1;
-  }
-  /// The first level from `level` on that needs a decision.
-  int next_test(int level) const {
-    while (level < 4 && (shared_q[depth_q] >> level & 1)) ++level;
-    return level < 4 ? level : 6;
-  }
-  void descend(const inputs& in, const knobs& k);
-  void enter(const inputs& in, const knobs& k);
-  int shared_edges(const inputs& in, const knobs& k) const;
-  void go_to_test(int level, const inputs& in);
-  void arrive(const inputs& in);
-  void leave(const inputs& in);
-  void go_beside(int portal, const inputs& in);
-  void climb(const inputs& in);
-  void navigate(const inputs& in);
-  void hit_wall(int face) {
-    if (!wall_q) hit_face_q = face;
-    wall_q = true;
-  }
-};
 
 /// Pins of decision_datapath.
 class decision_datapath_pins : public sc_core::sc_module {

@@ -22,6 +22,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
 #include "sc/constants.h"
 #include "sc/knobs.h"
 #include "sc/unit.h"
@@ -52,6 +56,38 @@ struct interval_fifo_core {
   int display(const knobs& k) const { return head_only(k) ? head_value_q : tail_value_q; }
   /// Entries in use, 1..fifo_entries.
   int fill(const knobs& k) const { return queue_size(k) + 2 - tail_ptr_q; }
+
+  /// Pixels until the beam starves if nothing is taken in; 0 or less: it does.
+  int pixels(const knobs& k) const {
+    int sum = head_len_q + 1;
+    if (head_only(k)) return sum;
+    for (int i = tail_ptr_q; i < queue_size(k); ++i) sum += queue_q[i].len_m1 + 1;
+    return sum + tail_len_q + 1;
+  }
+  /// The head sheds an entry unless it is eaten.
+  bool splitting(const knobs& k) const {
+    return head_len_q >= 1 << k.fifo_short_length_bits && tail_ptr_q != 0;
+  }
+  /// Pixels that the beam can consume, without an offer, while nothing else happens than count_down
+  /// and the display stays; if not splitting().
+  int quiet_pixels(const knobs& k) const {
+    return head_only(k) ? head_len_q + (1 << (HeadBits - 1)) : tail_len_q;
+  }
+  /// Up to quiet_pixels() clocks with consume at once, and any number without.
+  void count_down(int pixels, const knobs& k) {
+    if (head_only(k)) head_len_q -= pixels;
+    tail_len_q = (tail_len_q - pixels) & low_bits(k.fifo_short_length_bits);
+  }
+  bool operator==(const interval_fifo_core& other) const {
+    const auto all = [](const interval_fifo_core& c) {
+      return std::tie(c.head_value_q, c.head_len_q, c.tail_value_q, c.tail_len_q, c.tail_ptr_q);
+    };
+    return all(*this) == all(other) &&
+           std::equal(std::begin(queue_q), std::end(queue_q), std::begin(other.queue_q),
+                      [](const entry& a, const entry& b) {
+                        return a.len_m1 == b.len_m1 && a.value == b.value;
+                      });
+  }
 
   /// A clock with these inputs changes nothing.
   bool idle(const inputs& in, const knobs& k) const {

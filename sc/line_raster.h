@@ -22,6 +22,7 @@ struct line_raster {
       const int clock = static_cast<int>(clocks.size());
       clocks.push_back(timing);
       x2.push_back(out.x2);
+      columns_before.push_back(static_cast<int>(column_clock.size()));
       if (out.consume) column_clock.push_back(clock);
       if (out.active_start) active_begin = clock + 1;
       if (!out.hsync_n) vsync_clock = clock + 1;
@@ -29,6 +30,7 @@ struct line_raster {
       last = out.line_end;
       timing.clock({true, k.speed}, k);
     }
+    columns_before.push_back(static_cast<int>(column_clock.size()));
   }
 
   int size() const { return static_cast<int>(clocks.size()); }
@@ -46,9 +48,10 @@ struct line_raster {
   std::vector<vga_timing_core> clocks;  ///< horizontal registers
   std::vector<int> x2;                  ///< half-pixel position
   std::vector<int> column_clock;        ///< clock in which a visible column is consumed
-  std::vector<int> sound_clocks;        ///< those in which pwm_sound does more than count
-  int active_begin = 0;                 ///< first clock of the visible columns
-  int vsync_clock = 0;                  ///< first clock in which vsync has this line's level
+  std::vector<int> columns_before;  ///< per clock, and one past: visible columns consumed before
+  std::vector<int> sound_clocks;    ///< those in which pwm_sound does more than count
+  int active_begin = 0;             ///< first clock of the visible columns
+  int vsync_clock = 0;              ///< first clock in which vsync has this line's level
 };
 
 }  // namespace racebeam

@@ -28,7 +28,7 @@ namespace racebeam {
 
 /// The extra term of a step of `size` (a power of two) from `idx2`: one bit of delta.
 /// With no bit left to choose (a step that wraps idx2) it is bit 8, as in a 2-state simulator.
-inline int step_extra_bit(int delta, int size, bool neg, int idx2) {
+[[gnu::always_inline]] inline int step_extra_bit(int delta, int size, bool neg, int idx2) {
   const int word = (neg ? idx2 : ~idx2) & 1023 & ~(size - 1);
   const int lowest = word ? __builtin_ctz(word) : 0;
   return lowest <= 8 ? delta >> (8 - lowest) & 1 : 0;
@@ -51,7 +51,7 @@ struct ray_stepper_core {
     bool tracer_reset;
   };
 
-  void clock(const inputs& in, const knobs& k) {
+  [[gnu::always_inline]] void clock(const inputs& in, const knobs& k) {
     const vec3 dr2 = dr2_q, fraction2 = fraction2_q;
     for (int a = 0; a < 3; ++a) {
       const bool masked_in = bit_of(in.axis_mask, a);
@@ -72,8 +72,13 @@ struct ray_stepper_core {
     }
   }
 
+  bool operator==(const ray_stepper_core& other) const {
+    return dr1_q == other.dr1_q && dr2_q == other.dr2_q && fraction1_q == other.fraction1_q &&
+           fraction2_q == other.fraction2_q;
+  }
+
  private:
-  void step(int a, const inputs& in, const knobs& k) {
+  [[gnu::always_inline]] void step(int a, const inputs& in, const knobs& k) {
     const int delta = in.delta[a];
     if (k.stepping == SteppingFraction) {
       const int sum = (dr2_q[a] * (1 << DdrFractionBits) | fraction2_q[a]) +
@@ -82,16 +87,23 @@ struct ray_stepper_core {
       dr2_q[a] = wrap_signed(sum >> DdrFractionBits, k.dr_bits);
       return;
     }
+    if (k.bisection == BisectionPow2) {  // all sizes are powers of two
+      jump(a, in.step_size, in.idx2, in, k);
+      return;
+    }
     int idx2 = in.idx2;
     int rest = in.step_size;
     do {
       const int size = rest & -rest;
-      const int move =
-          (delta * size >> DdrFractionBits) + step_extra_bit(delta, size, in.neg, idx2);
-      dr2_q[a] = wrap_signed(in.neg ? dr2_q[a] - move : dr2_q[a] + move, k.dr_bits);
+      jump(a, size, idx2, in, k);
       idx2 = (in.neg ? idx2 - size : idx2 + size) & 1023;
       rest -= size;
     } while (rest);
+  }
+  [[gnu::always_inline]] void jump(int a, int size, int idx2, const inputs& in, const knobs& k) {
+    const int delta = in.delta[a];
+    const int move = (delta * size >> DdrFractionBits) + step_extra_bit(delta, size, in.neg, idx2);
+    dr2_q[a] = wrap_signed(in.neg ? dr2_q[a] - move : dr2_q[a] + move, k.dr_bits);
   }
 };
 

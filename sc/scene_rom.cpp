@@ -4,29 +4,9 @@
 
 namespace racebeam {
 
-namespace {
-
-const room_row& row(const scene_program& program, int id) {
-  static const room_row none;
-  return id < static_cast<int>(program.rooms.size()) ? program.rooms[id] : none;
-}
-
-}  // namespace
-
 scene_core::room scene_rom_core::geometry(const scene_program& program, int id) {
-  const room_row& room = row(program, id);
+  const room_row& room = row(program.rooms, id);
   return {room.half_size, room.position};
-}
-
-portal_row scene_rom_core::look(const scene_program& program, int id, int axis, bool negative,
-                                int portal, int way) {
-  if (axis > 2) return {};
-  const int face = 2 * axis + negative;
-  const portal_row through = row(program, id).portals[face][portal];
-  if (way == LookThrough) return through;
-  const int beside = through.back + (way == LookNext ? 1 : -1);
-  if (beside < 0 || beside >= MaxPortals) return {};
-  return row(program, through.room).portals[face ^ 1][beside];
 }
 
 scene_rom::scene_rom(const sc_core::sc_module_name& name, const scene_program& program)
@@ -39,8 +19,9 @@ scene_rom::scene_rom(const sc_core::sc_module_name& name, const scene_program& p
 void scene_rom::comb() {
   const int id = room_i.value(), axis = look_axis_i.value();
   const auto room = scene_rom_core::geometry(program_, id);
-  const auto beyond = scene_rom_core::look(program_, id, axis, bit_of(look_signs_i.value(), axis),
-                                           look_portal_i.value(), look_way_i.value());
+  const auto beyond =
+      scene_rom_core::look(program_.rooms, id, axis, bit_of(look_signs_i.value(), axis),
+                           look_portal_i.value(), look_way_i.value());
   half_size_o.drive(room.half_size);
   position_o.drive(room.position);
   neighbour_o.drive(beyond.room);

@@ -19,6 +19,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "sc/scene.h"
 #include "sc/scene_program.h"
 
@@ -26,11 +28,24 @@ namespace racebeam {
 
 /// Behaviour of scene_rom.
 struct scene_rom_core {
+  /// The row of a room; of none, an empty one.
+  static const room_row& row(const std::vector<room_row>& rooms, int id) {
+    static const room_row none;
+    return id < static_cast<int>(rooms.size()) ? rooms[id] : none;
+  }
   /// Half size and position of a room.
   static scene_core::room geometry(const scene_program& program, int id);
   /// What is behind a face; SolidRoom if nothing.
-  static portal_row look(const scene_program& program, int id, int axis, bool negative, int portal,
-                         int way);
+  static portal_row look(const std::vector<room_row>& rooms, int id, int axis, bool negative,
+                         int portal, int way) {
+    if (axis > 2) return {};
+    const int face = 2 * axis + negative;
+    const portal_row through = row(rooms, id).portals[face][portal];
+    if (way == LookThrough) return through;
+    const int beside = through.back + (way == LookNext ? 1 : -1);
+    if (beside < 0 || beside >= MaxPortals) return {};
+    return row(rooms, through.room).portals[face ^ 1][beside];
+  }
 };
 
 /// scene_rom with the table of a program, which must outlive it.

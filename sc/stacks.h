@@ -19,6 +19,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
 #include "sc/constants.h"
 #include "sc/knobs.h"
 #include "sc/unit.h"
@@ -46,6 +49,12 @@ struct stacks_core {
   }
   int face(int depth, const knobs& k) const {
     return depth >= 1 && depth <= k.face_stack_depth ? faces_q[depth - 1] : 0;
+  }
+  bool operator==(const stacks_core& other) const {
+    const auto same = [](const entry& a, const entry& b) { return a.tag == b.tag && a.i2 == b.i2; };
+    return std::equal(std::begin(intervals_q), std::end(intervals_q), std::begin(other.intervals_q),
+                      same) &&
+           std::equal(std::begin(faces_q), std::end(faces_q), std::begin(other.faces_q));
   }
   void clock(const inputs& in, const knobs& k) {
     if (in.push) intervals_q[in.sp] = {in.tag, in.i2};

@@ -17,6 +17,8 @@ class StatsCollector {
  public:
   /// One clock, in order, from the first clock of a line on.
   void observe(const chip_view& v);
+  /// The counters so far, to add what was counted otherwise: whole lines.
+  FrameStats& stats() { return stats_; }
   /// The counters since the last call.
   FrameStats take();
   /// The counters since the last call of take().

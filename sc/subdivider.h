@@ -27,73 +27,10 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/subdivider_core.h"
 #include "sc/unit.h"
 
 namespace racebeam {
-
-enum subdivider_state { StateLeft = 0, StateRight = 1, StateBisect = 2, StateReturn = 3 };
-
-/// Pixels of the step for a doubled distance `n` (contract 9.5): the power of two closest to n / 2,
-/// ties up when n >= 0, down when n < 0; 1 where the distance is 0.
-inline int closest_power_of_two(int n) {
-  const int v = n < 0 ? -n - 1 : n;
-  if (v < 3) return 1;
-  const int top = 31 - __builtin_clz(v);
-  return 1 << (top - 1 + (v >> (top - 1) & 1));
-}
-
-/// Behaviour of subdivider.
-struct subdivider_core {
-  int state_q = StateLeft;
-  int i1_q = 0, i2_q = 0;
-  int lo_q = 0, hi_q = 0;  // bisection bounds
-  int idx2_q = 0;          // pixel of dr2
-  int d1_q = 0;            // decision at the left end: {signs, bit}
-  bool emit_done_q = false;
-  bool was_return_q = false;
-  bool line_done_q = false;
-  int sp_q = 0, sd_q = 0;  // interval stack: next free place, valid entries
-
-  struct inputs {
-    bool tracer_reset, idx_load;
-    int idx_start, i2_init;
-    int dec, mask;  // {sign z, y, x, bit} of the selected end; bits that count
-    bool wall, second;
-    int tag;  // {portal, depth, level}
-    bool starving, ack;
-    int top_tag, top_i2;
-    bool lock, consume;
-  };
-
-  /// The interval on offer to the FIFO is i1..i2.
-  bool emit(const inputs& in, const knobs& k) const {
-    return returning(in, k) && !emit_done_q && !line_done_q;
-  }
-  int len_m1() const { return (i2_q - i1_q) & 1023; }
-  int signs() const { return d1_q >> 1; }
-
-  /// What happens in this clock; `inputs::ack` must answer emit().
-  struct outputs {
-    bool step, neg;
-    int step_size;
-    bool copy_sub, push, descend, climb, restart;
-    int cur;    // decision to descend with; 0 otherwise
-    int leave;  // {leaves a face or past a portal's edge, decision}; 0 otherwise
-    bool advance, returning;
-    int next_state, next_i2, next_lo, next_hi;
-  };
-  outputs comb(const inputs& in, const knobs& k) const;
-  void clock(const inputs& in, const outputs& o, const knobs& k);
-
- private:
-  bool hit(const inputs& in, const knobs& k) const {
-    const bool accept = state_q != StateReturn && idx2_q == i2_q && !emit_done_q;
-    return accept && (in.wall || (in.starving && len_m1() <= k.hurry_threshold));
-  }
-  bool returning(const inputs& in, const knobs& k) const {
-    return !in.tracer_reset && (state_q == StateReturn || hit(in, k));
-  }
-};
 
 /// Pins of subdivider.
 class subdivider_pins : public sc_core::sc_module {

@@ -95,8 +95,7 @@ void check_outputs(const OutputPlan& plan) {
 
 // RTL has pins, so it needs a chip that is wired.
 std::string chosen_level(const RenderOptions& options) {
-  const bool wired = !options.units.empty() || !options.overlays.empty();
-  if (options.level.empty()) return wired ? LevelSignal : LevelTlm;
+  if (options.level.empty()) return options.units.empty() ? LevelTlm : LevelSignal;
   check_known("level", options.level, {LevelTlm, LevelSignal});
   if (options.level == LevelTlm && !options.units.empty())
     throw UsageError(

@@ -9,6 +9,7 @@
 
 #include "sc/tlm_chip.h"
 #include "tb/raster.h"
+#include "tb/view/interval_log.h"
 
 namespace racebeam {
 
@@ -102,6 +103,7 @@ struct TlmBench::Platform {
   const Options options;
   const Raster raster;
   const sc_core::sc_time period, frame_time;
+  IntervalLog log;
   tlm_chip dut;
   Screen screen;
   int next_frame = 0;
@@ -111,7 +113,7 @@ struct TlmBench::Platform {
         raster(o.k.clocks_per_pixel, o.k.speed),
         period(clock_period_ps(o.k.clocks_per_pixel), sc_core::SC_PS),
         frame_time(raster.frame_clocks() * period),
-        dut("chip", {o.k, o.program, o.crc, o.sound, o.observer}),
+        dut("chip", {o.k, o.program, o.crc, o.sound, o.intervals ? &log : nullptr}),
         screen("screen", raster, o.crc, o.sound) {
     tlm::tlm_global_quantum::instance().set(frame_time);
     dut.display_socket.bind(screen.socket);
@@ -134,12 +136,12 @@ TlmBench::Frame TlmBench::render() {
   sc_core::sc_start(p.frame_time);
   Frame frame{p.next_frame, p.screen.picture(), {}};
   if (p.options.stats) frame.stats = p.dut.stats();
+  frame.intervals = p.log.take();
   p.next_frame = p.dut.lines().next_frame();
   return frame;
 }
 
 std::uint64_t TlmBench::clocks() const { return platform_->dut.clocks(); }
 const SoundMonitor* TlmBench::sound() const { return platform_->screen.sound(); }
-int TlmBench::column_clock(int column) const { return platform_->dut.lines().column_clock(column); }
 
 }  // namespace racebeam

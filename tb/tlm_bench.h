@@ -6,7 +6,6 @@
 
 #include <memory>
 
-#include "sc/chip_observer.h"
 #include "sc/scene_program.h"
 #include "tb/chip_bench.h"
 
@@ -21,7 +20,7 @@ class TlmBench final : public ChipBench {
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.
     const scene_program* program = nullptr;
-    chip_observer* observer = nullptr;  ///< told of each interval, restart and run of pixels
+    bool intervals = false;  ///< collect IntervalEvents
   };
 
   explicit TlmBench(const Options& options);
@@ -33,8 +32,6 @@ class TlmBench final : public ChipBench {
   Frame render() override;
   std::uint64_t clocks() const override;
   const SoundMonitor* sound() const override;
-  /// Clock of a line in which a column is shown, for the observer.
-  int column_clock(int column) const;
 
  private:
   struct Platform;

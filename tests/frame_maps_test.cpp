@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "sc/chip_core.h"
-#include "tb/signal_bench.h"
 #include "sc/stats_collector.h"
+#include "tb/signal_bench.h"
+#include "tb/tlm_bench.h"
 #include "tb/view/interval_watcher.h"
 
 namespace racebeam {
@@ -142,24 +143,35 @@ TEST_P(FrameMapsTest, OnlyGivenUpIntervalsHaveNoWall) {
   EXPECT_EQ(given_up, frame.stats.give_ups);
 }
 
-// Every wire of the events: the two levels tell the same.
+std::string text(const IntervalEvent& e) {
+  std::ostringstream out;
+  out << e.y << ' ' << e.from << ".." << e.to << " clock " << e.clock << " cost " << e.decisions
+      << " depth " << e.depth << " room " << e.room << " face " << e.face << " wall " << e.wall;
+  return out.str();
+}
+
+void expect_intervals_of_the_cores(ChipBench& bench, const std::vector<int>& frames) {
+  for (const int number : frames) {
+    bench.seek(number);
+    const auto got = bench.render().intervals;
+    const auto core = WatchedFrame(number, {}).events;
+    ASSERT_EQ(got.size(), core.size());
+    for (std::size_t i = 0; i < core.size(); ++i) ASSERT_EQ(text(got[i]), text(core[i]));
+  }
+}
+
 TEST(FrameMaps, SignalLevelTellsOfTheSameIntervalsAsTheCores) {
-  const auto text = [](const IntervalEvent& e) {
-    std::ostringstream out;
-    out << e.y << ' ' << e.from << ".." << e.to << " clock " << e.clock << " cost " << e.decisions
-        << " depth " << e.depth << " room " << e.room << " face " << e.face << " wall " << e.wall;
-    return out.str();
-  };
   SignalBench::Options options;
   options.intervals = true;
   SignalBench bench(options);
-  for (const int number : {7223, 60}) {
-    bench.seek(number);
-    const auto signal = bench.render().intervals;
-    const auto core = WatchedFrame(number, {}).events;
-    ASSERT_EQ(signal.size(), core.size());
-    for (std::size_t i = 0; i < core.size(); ++i) ASSERT_EQ(text(signal[i]), text(core[i]));
-  }
+  expect_intervals_of_the_cores(bench, {7223, 60});
+}
+
+TEST(FrameMaps, TlmLevelTellsOfTheSameIntervalsAsTheCores) {
+  TlmBench::Options options;
+  options.intervals = true;
+  TlmBench bench(options);
+  expect_intervals_of_the_cores(bench, {7223, 60, 2432, 3900, 8980, 12500});
 }
 
 INSTANTIATE_TEST_SUITE_P(Demo, FrameMapsTest, testing::Values(60, 1000, 2432, 7223));

@@ -221,9 +221,9 @@ TYPED_TEST(SceneRomTest, NoInputIsMissedUnderRandomOnes) {
     const bool known = id < Rooms;
     ASSERT_EQ(bench.read("half_size"), known ? half_size_of(id) : vec3{});
     ASSERT_EQ(bench.read("position"), known ? place_of(id) : vec3{});
-    const portal_row want =
-        scene_rom_core::look(this->program, id, axis, bench["look_signs_i"].value() >> axis & 1,
-                             bench["look_portal_i"].value(), bench["look_way_i"].value());
+    const portal_row want = scene_rom_core::look(
+        this->program.rooms, id, axis, bench["look_signs_i"].value() >> axis & 1,
+        bench["look_portal_i"].value(), bench["look_way_i"].value());
     ASSERT_EQ(this->answer(), (Answer{want.room, want.back}));
   };
   std::minstd_rand rooms(3);

@@ -39,8 +39,7 @@ class TlmDemoPart : public testing::TestWithParam<int> {};
 TEST_P(TlmDemoPart, HasThePixelsPinsAndCountersOfTheCores) {
   const DemoPart& part = demo_parts()[GetParam()];
   TlmBench bench({{}, true, true, false});
-  for (const int frame : {part.first_frame, (part.first_frame + part.last_frame) / 2})
-    expect_frame_of_the_cores(bench, frame, {});
+  expect_frame_of_the_cores(bench, (part.first_frame + part.last_frame) / 2, {});
 }
 
 INSTANTIATE_TEST_SUITE_P(Demo, TlmDemoPart,
@@ -60,7 +59,7 @@ TEST_P(TlmScene, HasThePixelsPinsAndCountersOfTheCores) {
   const Show show(read_scene_file(GetParam()).scene, "");
   const knobs k = show.standard_knobs();
   TlmBench bench({k, true, true, false, show.program()});
-  for (const int frame : {0, show.frames() / 3, show.frames() - 1})
+  for (const int frame : {show.frames() / 3, show.frames() - 1})
     expect_frame_of_the_cores(bench, frame, k, show.program());
 }
 
@@ -89,8 +88,9 @@ class TlmKnobs : public testing::TestWithParam<int> {};
 TEST_P(TlmKnobs, HasThePixelsPinsAndCountersOfTheCores) {
   const knobs k = random_knobs(GetParam());
   TlmBench bench({k, true, true, false});
-  for (const int frame : {GetParam() * 419 % DemoFrames, 7223})
-    expect_frame_of_the_cores(bench, frame, k);
+  constexpr int CrowdedFrame = 7223;
+  const int frame = GetParam() % 3 ? GetParam() * 419 % DemoFrames : CrowdedFrame;
+  expect_frame_of_the_cores(bench, frame, k);
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, TlmKnobs, testing::Range(1, 31));

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "sc/constants.h"
-#include "sc/subdivider.h"
 #include "sc/stats_collector.h"
+#include "sc/subdivider.h"
 
 namespace racebeam {
 
