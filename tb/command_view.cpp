@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/nearest.h"
@@ -114,11 +115,14 @@ int command_view(const ViewOptions& options) {
   if (core) setting.restage = [&](const Show& changed) { return core_stage(options, changed); };
   else setting.restage = no_second_signal_stage;
   Stage stage = core ? core_stage(options, show) : signal_stage(options, show);
-  const auto screen = open_window(static_cast<int>(options.scale));
+  auto screen = open_window(static_cast<int>(options.scale));
   Viewer viewer(std::move(stage), setting);
   viewer.control.state.paused = options.paused;
   catch_interrupts();
-  return run_view(viewer, *screen, keys);
+  const int code = run_view(viewer, *screen, keys);
+  screen.reset();
+  if (const std::string said = viewer.end(); !said.empty()) tell(said);
+  return code;
 }
 
 }  // namespace racebeam

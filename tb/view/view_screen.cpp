@@ -31,10 +31,11 @@ int run_view(Viewer& viewer, ViewScreen& screen, const std::vector<std::string>&
     last = now;
     if (viewer.take_changed() || stale) screen.show(viewer.picture(), viewer.title());
     screen.play(viewer.take_sound());
-    const bool ready = viewer.source().watch().whole() || viewer.control.state.paused;
+    const bool ready =
+        !viewer.filling() && (viewer.source().watch().whole() || viewer.control.state.paused);
     if (next_key < keys.size()) {
       if (ready) viewer.control.press(keys[next_key++]);
-    } else if (viewer.finished()) {
+    } else if (viewer.finished() && !viewer.filling()) {
       break;
     }
     std::this_thread::sleep_until(now + PicturePeriod);

@@ -98,15 +98,25 @@ void Viewer::act(ViewAction action) {
     case ViewAction::Back: go_to(std::max(frame - Leap, 0)); break;
     case ViewAction::Forward: go_to(frame + Leap); break;
     case ViewAction::Screenshot: note_ = "wrote " + recorder_.screenshot(picture(), frame); break;
-    case ViewAction::Record:
-      if (recorder_.recording()) note_ = recorder_.stop();
-      else recorder_.start(frame);
-      break;
+    case ViewAction::Record: toggle_recording(); break;
     case ViewAction::Fly: toggle_flight(); break;
     case ViewAction::Reload: take_news(watch_.read()); break;
     case ViewAction::Quit: quit_ = true; break;
   }
 }
+
+// A GIF begins with the frame on show.
+void Viewer::toggle_recording() {
+  const FrameWatch& watch = stage_.source->watch();
+  if (recorder_.recording()) {
+    note_ = recorder_.stop();
+    return;
+  }
+  recorder_.start(watch.frame());
+  if (watch.whole()) recorder_.add(watch.screen().colours());
+}
+
+std::string Viewer::end() { return recorder_.recording() ? recorder_.stop() : ""; }
 
 void Viewer::set_stage(Stage stage, int frame) {
   stage_.source.reset();  // refers to the old show
@@ -191,7 +201,7 @@ void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
   if (!stage_.source->fast() || speed < 0) {
     while (budget_ >= 1 && !finished()) {
       budget_ -= clocks(std::min(Slice, static_cast<int>(budget_)));
-      if (!in_time()) break;
+      if (!in_time() || stage_.source->watch().whole()) break;
     }
     return;
   }
@@ -205,18 +215,18 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   since_frame_ += elapsed;
   flight_time_ += elapsed;
   look_for_news(elapsed);
+  bool new_picture = fill_;  // to be seen before it runs on
   if (fill_ && stage_.source->fast()) finish_frame();
   while (fill_ && !stage_.source->fast()) {
     clocks(Slice);
     if (!in_time()) return;
   }
-  bool acted = false;
   while (const auto action = control.take_action()) {
     act(*action);
-    acted = changed_ = true;
+    new_picture = changed_ = true;
   }
   if (fill_ && stage_.source->fast()) finish_frame();
-  if (!acted && !control.state.paused && !finished()) run(elapsed, in_time);
+  if (!new_picture && !control.state.paused && !finished()) run(elapsed, in_time);
 }
 
 RgbImage Viewer::picture() const {

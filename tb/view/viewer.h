@@ -57,6 +57,10 @@ class Viewer {
   std::string title() const;
   /// Samples at FrameSound::Rate of the frames since the last call.
   std::vector<float> take_sound();
+  /// Ends what is being recorded. Returns what was written, or nothing. Throws OutputError.
+  std::string end();
+  /// It goes to a frame that is not whole yet.
+  bool filling() const { return fill_; }
   /// The user quits.
   bool quit() const { return quit_; }
   /// Nothing is left of Options::frames.
@@ -82,6 +86,7 @@ class Viewer {
   void finish_frame();
   void step_pixel();
   void toggle_flight();
+  void toggle_recording();
   void steer();
   std::string statistics() const;
   std::string place() const;
