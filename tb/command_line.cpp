@@ -179,6 +179,9 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well")
       ->type_name("N")
       ->capture_default_str();
+  view->add_flag("--term", options.terminal,
+                 "In this terminal, in 24-bit colours, instead of a window; with --frames also as "
+                 "text into a file");
   view->add_flag("--paused", options.paused, "Start with the first frame, and wait for keys");
 }
 

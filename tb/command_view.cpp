@@ -18,6 +18,7 @@
 #include "tb/use_option.h"
 #include "tb/view/core_source.h"
 #include "tb/view/signal_source.h"
+#include "tb/view/term_screen.h"
 #include "tb/view/view_window.h"
 
 namespace racebeam {
@@ -115,7 +116,8 @@ int command_view(const ViewOptions& options) {
   if (core) setting.restage = [&](const Show& changed) { return core_stage(options, changed); };
   else setting.restage = no_second_signal_stage;
   Stage stage = core ? core_stage(options, show) : signal_stage(options, show);
-  auto screen = open_window(static_cast<int>(options.scale));
+  auto screen = options.terminal ? open_terminal(!options.frames)
+                                 : open_window(static_cast<int>(options.scale));
   Viewer viewer(std::move(stage), setting);
   viewer.control.state.paused = options.paused;
   catch_interrupts();

@@ -20,6 +20,7 @@ struct ViewOptions {
   std::string keys;  ///< names with blanks between
   std::string folder = ".";
   bool paused = false;
+  bool terminal = false;
 };
 
 /// Runs until the user quits. Returns the exit code. Throws UsageError, MissingTool, RtlError,

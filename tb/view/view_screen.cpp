@@ -29,7 +29,7 @@ int run_view(Viewer& viewer, ViewScreen& screen, const std::vector<std::string>&
     const bool stale = screen.poll(viewer.control);
     viewer.tick(seconds(now - last), [&] { return Clock::now() - now < PicturePeriod * 3 / 4; });
     last = now;
-    if (viewer.take_changed() || stale) screen.show(viewer.picture(), viewer.title());
+    if (viewer.take_changed() || stale) screen.show(viewer);
     screen.play(viewer.take_sound());
     const bool ready =
         !viewer.filling() && (viewer.source().watch().whole() || viewer.control.state.paused);

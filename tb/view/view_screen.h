@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "tb/view/rgb_image.h"
 #include "tb/view/view_control.h"
 #include "tb/view/viewer.h"
 
@@ -19,7 +18,7 @@ class ViewScreen {
 
   /// Hands on what the user did since the last call. True if the picture must be shown again.
   virtual bool poll(ViewControl& control) = 0;
-  virtual void show(const RgbImage& picture, const std::string& title) = 0;
+  virtual void show(const Viewer& viewer) = 0;
   /// Samples at FrameSound::Rate, -1..1.
   virtual void play(const std::vector<float>&) {}
 };

@@ -61,7 +61,7 @@ class Window : public ViewScreen {
   Window& operator=(const Window&) = delete;
 
   bool poll(ViewControl& control) override;
-  void show(const RgbImage& picture, const std::string& title) override;
+  void show(const Viewer& viewer) override;
   void play(const std::vector<float>& samples) override;
 
  private:
@@ -141,8 +141,9 @@ void Window::resize(const RgbImage& picture) {
   SDL_RenderSetLogicalSize(renderer_, width_, height_);
 }
 
-void Window::show(const RgbImage& picture, const std::string& title) {
-  SDL_SetWindowTitle(window_, title.c_str());
+void Window::show(const Viewer& viewer) {
+  const RgbImage picture = viewer.picture();
+  SDL_SetWindowTitle(window_, viewer.title().c_str());
   if (picture.width() != width_ || picture.height() != height_) resize(picture);
   SDL_UpdateTexture(texture_, nullptr, picture.bytes(), 3 * picture.width());
   SDL_SetRenderDrawColor(renderer_, 0, 0, 0, 255);

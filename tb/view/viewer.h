@@ -55,6 +55,10 @@ class Viewer {
 
   RgbImage picture() const;
   std::string title() const;
+  /// For screens that cannot show small letters: the picture with borders, beam and map only, and
+  /// what else would be on it or beside it as lines.
+  RgbImage bare_picture() const;
+  std::vector<std::string> words() const;
   /// Samples at FrameSound::Rate of the frames since the last call.
   std::vector<float> take_sound();
   /// Ends what is being recorded. Returns what was written, or nothing. Throws OutputError.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <sstream>
 #include <string>
 
 #include "tb/view/viewer.h"
@@ -53,6 +54,24 @@ std::string Viewer::statistics() const {
     row("yaw, pitch", fmt::format("{}, {}", pose.yaw, pose.pitch));
   }
   return text;
+}
+
+RgbImage Viewer::bare_picture() const {
+  ViewState bare = control.state;
+  bare.gauges = bare.text = bare.help = false;
+  return view_picture(stage_.source->watch(), stage_.k, bare, {});
+}
+
+std::vector<std::string> Viewer::words() const {
+  std::string text = error_.empty() ? "" : error_ + "\n";
+  if (control.state.help)
+    for (const KeyHelp& row : ViewControl::help())
+      text += fmt::format("{:<12}{}\n", row.keys, row.meaning);
+  if (control.state.text || control.state.gauges) text += statistics();
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
 }
 
 std::string Viewer::title() const {
