@@ -3,7 +3,10 @@
 #include "tb/command_view.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -65,9 +68,47 @@ Stage signal_stage(const ViewOptions& options, const Show& show) {
   return {show, k, std::make_unique<SignalSource>(k, show.program(), units)};
 }
 
-// SystemC wires a chip once in a process.
-Stage no_second_signal_stage(const Show&) {
-  throw UsageError("the chip of --level signal is wired once; quit and start again for the change");
+/// SystemC wires a chip once in a process: another scene needs another process.
+struct StartAgain {};
+
+// The keys that make this state out of the one at the start.
+std::string keys_of(const ViewState& state) {
+  std::string keys;
+  for (const auto& [key, on] :
+       {std::pair{"b", !state.beam}, std::pair{"i", state.borders}, std::pair{"g", state.gauges},
+        std::pair{"t", state.text}, std::pair{"h", state.help}, std::pair{"m", state.muted}})
+    if (on) keys += std::string(key) + " ";
+  if (state.map) keys += std::to_string(1 + static_cast<int>(*state.map)) + " ";
+  for (int i = 0; i < std::abs(state.speed); ++i) keys += state.speed < 0 ? "- " : "+ ";
+  return keys;
+}
+
+// The same command at the same frame. Does not return.
+void start_again(const ViewOptions& options, const Viewer& viewer) {
+  const int frame = std::min(viewer.source().watch().frame(), viewer.show().frames() - 1);
+  std::vector<std::string> words = {"racebeam",
+                                    "view",
+                                    options.scene,
+                                    "--level",
+                                    "signal",
+                                    "--first",
+                                    std::to_string(frame),
+                                    "--scale",
+                                    std::to_string(options.scale),
+                                    "--output",
+                                    options.folder};
+  for (const std::string& one : options.assignments) words.insert(words.end(), {"--set", one});
+  for (const std::string& one : options.units) words.insert(words.end(), {"--use", one});
+  if (options.frames) words.insert(words.end(), {"--frames", std::to_string(*options.frames)});
+  if (options.terminal) words.emplace_back("--term");
+  if (viewer.control.state.paused) words.emplace_back("--paused");
+  const std::string keys = keys_of(viewer.control.state);
+  if (!keys.empty()) words.push_back("--keys=" + keys);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv("/proc/self/exe", arguments.data());
+  throw UsageError("the program cannot be started again with the changed scene");
 }
 
 // The demo in scenes/, beside the program's sources or where they are installed.
@@ -114,16 +155,27 @@ int command_view(const ViewOptions& options) {
   setting.demo_file = demo_file;
   const bool core = level == "core";
   if (core) setting.restage = [&](const Show& changed) { return core_stage(options, changed); };
-  else setting.restage = no_second_signal_stage;
+  else
+    setting.restage = [&](const Show& changed) -> Stage {
+      knobs_of(options, changed);  // an objection is told, and the old scene goes on
+      throw StartAgain{};
+    };
   Stage stage = core ? core_stage(options, show) : signal_stage(options, show);
   auto screen = options.terminal ? open_terminal(!options.frames)
                                  : open_window(static_cast<int>(options.scale));
   Viewer viewer(std::move(stage), setting);
   viewer.control.state.paused = options.paused;
   catch_interrupts();
-  const int code = run_view(viewer, *screen, keys);
+  bool again = false;
+  int code = ExitGood;
+  try {
+    code = run_view(viewer, *screen, keys);
+  } catch (const StartAgain&) {
+    again = true;
+  }
   screen.reset();
   if (const std::string said = viewer.end(); !said.empty()) tell(said);
+  if (again) start_again(options, viewer);
   return code;
 }
 

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+
 #include "tests/program.h"
 #include "tests/view_pictures.h"
 #include "tests/x_server.h"
@@ -59,6 +62,44 @@ TEST_F(CliViewTest, WindowShowsTheFramePixelForPixelAndObeysTheKeyboard) {
   server.key("Right");
   EXPECT_TRUE(shows(frame_of(Worst + 61)));
   server.key("Escape");
+  EXPECT_EQ(program.wait(), 0) << program.err();
+}
+
+TEST_F(CliViewTest, AChangedSceneFileIsShownAtTheSignalLevelToo) {
+  const auto write = [&](const std::string& palette) {
+    std::ofstream(folder / "scene.toml")
+        << "frames = 9\n[[room]]\nid = \"a\"\ncentre = [0, 0, 0]\nhalf_size = [90, 60, 90]\n"
+        << "[camera]\nroom = \"a\"\n[look]\npalette = [\"000\", \"110\", \"" << palette
+        << "\", \"332\"]\n";
+  };
+  const auto rendered = [&](const std::string& to) {
+    Program render(folder.path(), {"render", "scene.toml", "--first", "3", "-o", to});
+    EXPECT_EQ(render.wait(), 0) << render.err();
+    return read_rgb(folder / (to + "/frame_0003.png"));
+  };
+  write("320");
+  const Bytes before = rendered("before");
+  const XServer server;
+  const auto shows = [&](const Bytes& expected) {
+    return eventually([&] { return server.window(VisibleColumns, VisibleRows) == expected; });
+  };
+  Program program(folder.path(),
+                  {"view", "scene.toml", "--level", "signal", "--first", "3", "--paused"},
+                  {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
+  server.point_at_window();
+  EXPECT_TRUE(shows(before));
+  write("0312");  // a fault: the old picture stays, with the message above it
+  EXPECT_TRUE(eventually([&] {
+    const Bytes now = server.window(VisibleColumns, VisibleRows);
+    return !now.empty() && now != before &&
+           std::equal(before.end() - 900'000 / 2, before.end(), now.end() - 900'000 / 2);
+  }));
+  write("030");
+  const Bytes after = rendered("after");
+  EXPECT_NE(after, before);
+  EXPECT_TRUE(shows(after));
+  server.point_at_window();
+  server.key("q");
   EXPECT_EQ(program.wait(), 0) << program.err();
 }
 

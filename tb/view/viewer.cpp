@@ -216,7 +216,7 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   flight_time_ += elapsed;
   look_for_news(elapsed);
   bool new_picture = fill_;  // to be seen before it runs on
-  if (fill_ && stage_.source->fast()) finish_frame();
+  if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
   while (fill_ && !stage_.source->fast()) {
     clocks(Slice);
     if (!in_time()) return;
@@ -225,7 +225,7 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
     act(*action);
     new_picture = changed_ = true;
   }
-  if (fill_ && stage_.source->fast()) finish_frame();
+  if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
   if (!new_picture && !control.state.paused && !finished()) run(elapsed, in_time);
 }
 
