@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace racebeam {
@@ -19,6 +21,18 @@ TEST(ViewControl, EveryKeyOfTheHelpDoesSomethingAndNoOther) {
   }
   EXPECT_EQ(keys, 39);
   for (const char* key : {"j", "y", "f2", "return", ""}) EXPECT_FALSE(ViewControl().press(key));
+}
+
+TEST(ViewControl, ReadmeListsEveryKey) {
+  std::ifstream file(RACEBEAM_SOURCE_DIR "/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  for (const KeyHelp& row : ViewControl::help()) {
+    std::istringstream words(row.keys);
+    std::string line = "|";
+    for (std::string key; words >> key;) line += " `" + key + "`";
+    line += " | " + row.meaning + " |";
+    EXPECT_NE(readme.find("\n" + line + "\n"), std::string::npos) << line;
+  }
 }
 
 TEST(ViewControl, SpacePausesAndGoesOn) {

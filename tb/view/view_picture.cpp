@@ -30,9 +30,9 @@ void paint_beam(RgbImage& picture, const FrameWatch& watch) {
   const int row = screen.y() - FirstVisibleLine;
   if (watch.whole() || row < 0 || row >= VisibleRows) return;
   const int column = watch.raster().column_at[screen.clock_of_line()];
-  picture.tint(0, row, VisibleColumns, 1, Beam, 0.45);
-  picture.fill(column - 1, row - 3, 3, 7, Beam);
-  picture.fill(column - 3, row - 1, 7, 3, Beam);
+  picture.tint(0, row, VisibleColumns, 1, Beam, 0.6);
+  picture.fill(column - 1, row - 5, 3, 11, Beam);
+  picture.fill(column - 5, row - 1, 11, 3, Beam);
 }
 
 void paint_help(RgbImage& picture) {

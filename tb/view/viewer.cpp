@@ -64,7 +64,7 @@ int Viewer::clocks(int count) {
   if (!source.watch().whole()) return done;
   fill_ = false;
   ++frames_shown_;
-  if (since_frame_ > 0) rate_ += (1 / since_frame_ - rate_) * (rate_ > 0 ? 0.1 : 1);
+  if (since_frame_ > 1e-3) rate_ += (1 / since_frame_ - rate_) * (rate_ > 0 ? 0.1 : 1);
   since_frame_ = 0;
   recorder_.add(source.watch().screen().colours());
   return done;

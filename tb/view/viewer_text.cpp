@@ -15,7 +15,7 @@ namespace racebeam {
 std::string Viewer::place() const {
   const BeamScreen& screen = stage_.source->watch().screen();
   if (stage_.source->watch().whole()) return "end of frame";
-  return fmt::format("line {} clock {}", screen.y(), screen.clock_of_line());
+  return fmt::format("line {} : {}", screen.y(), screen.clock_of_line());
 }
 
 std::string Viewer::statistics() const {
