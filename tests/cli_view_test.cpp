@@ -170,6 +170,7 @@ TEST_F(CliViewTest, MistakesEndWithTwoAndSayWhatToDo) {
       {{"demo", "--set", "fifo_entries=1"}, "3..64"},
       {{"demo", "--set", "corner_bits=13"}, "at most 12"},
       {{"demo", "--keys", "1 spce"}, "space"},
+      {{"demo", "--frames", "1", "--keys", "o", "-o", "/dev/null/shots"}, "cannot write"},
   };
   for (const auto& [arguments, hint] : mistakes) {
     EXPECT_EQ(view(arguments), 2) << hint;

@@ -9,22 +9,17 @@
 #include <utility>
 
 #include "tb/errors.h"
-#include "tb/golden/golden_camera.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr double FramesPerSecond = 60;
-constexpr int Leap = 60;               // frames of the arrow keys
-constexpr int Slice = 20'000;          // clocks between two looks at the time
-constexpr double LongestLag = 0.25;    // seconds that are caught up at most
-constexpr double NewsInterval = 0.2;   // seconds between two looks at the scene file
-constexpr double FlightSpeed = 240;    // units a second
-constexpr double TurnSpeed = 340;      // 1/2048 turn a second, by keys
-constexpr double MouseTurn = 0.8;      // 1/2048 turn a pixel
-constexpr double LongestStride = 0.1;  // seconds between two frames of a flight, at most
-constexpr int MostSound = 4;           // frames in one tick
+constexpr int Leap = 60;              // frames of the arrow keys
+constexpr int Slice = 20'000;         // clocks between two looks at the time
+constexpr double LongestLag = 0.25;   // seconds that are caught up at most
+constexpr double NewsInterval = 0.2;  // seconds between two looks at the scene file
+constexpr int MostSound = 4;          // frames in one tick
 
 }  // namespace
 
@@ -146,36 +141,11 @@ void Viewer::look_for_news(double elapsed) {
   if (auto news = watch_.look()) take_news(std::move(*news));
 }
 
-void Viewer::toggle_flight() {
-  if (flight_) return go_to(flight_frame_);
-  finish_frame();
-  const int frame = stage_.source->watch().frame();
-  try {
-    if (!stage_.show.scene()) set_stage(options_.restage(options_.demo_file()), frame);
-  } catch (const UsageError& error) {
-    note_ = error.what();
-    return;
-  }
-  if (!stage_.source->can_fly()) {
-    note_ = fmt::format("no free flight at the level {}", stage_.source->level());
-    return;
-  }
-  flight_frame_ = frame;
-  flight_.emplace(*stage_.show.scene(), stage_.show.path()->points[frame],
-                  stage_.show.golden_camera(frame).view(0));
-  control.state.flying = true;
-  fill_ = true;
-}
-
-// By what the keys and the mouse have asked for since the last frame.
-void Viewer::steer() {
-  const double seconds = std::min(std::exchange(flight_time_, 0), LongestStride);
-  const auto motion = control.motion();
-  const auto look = control.take_mouse();
-  flight_->turn(motion.turn * TurnSpeed * seconds + look.right * MouseTurn,
-                motion.tilt * TurnSpeed * seconds + look.down * MouseTurn);
-  const double way = FlightSpeed * seconds;
-  flight_->move(motion.ahead * way, motion.right * way, motion.up * way);
+// The pin is clocked by the beam: other clocks a pixel would make other tones.
+bool Viewer::audible() const {
+  const knobs chip;
+  return control.state.speed == 0 && !control.state.muted &&
+         stage_.k.clocks_per_pixel == chip.clocks_per_pixel && stage_.k.speed == chip.speed;
 }
 
 // The last of so many frames; the sound of all.
@@ -183,10 +153,10 @@ void Viewer::show_frames(int frames) {
   finish_frame();
   if (!flight_ && frames > 1)
     stage_.source->seek((next_frame() + frames - 1) % stage_.show.frames());
-  if (control.state.speed == 0 && !control.state.muted)
+  if (audible())
     for (int i = 0; i < std::min(frames, MostSound); ++i) {
       const std::vector<float> more =
-          sound_.play((sound_frame_ + std::max(frames - MostSound, 0) + i) % DemoFrames);
+          sound_.play((sound_frame_ + std::max(frames - MostSound, 0) + i) % stage_.show.frames());
       samples_.insert(samples_.end(), more.begin(), more.end());
     }
   sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();
@@ -237,10 +207,5 @@ RgbImage Viewer::picture() const {
 }
 
 std::vector<float> Viewer::take_sound() { return std::exchange(samples_, {}); }
-
-std::optional<Pose> Viewer::pose() const {
-  if (!flight_) return {};
-  return flight_->pose();
-}
 
 }  // namespace racebeam

@@ -86,6 +86,7 @@ class Viewer {
   int next_frame() const;
   void run(double elapsed, const std::function<bool()>& in_time);
   void show_frames(int frames);
+  bool audible() const;
   int clocks(int count);
   void finish_frame();
   void step_pixel();
