@@ -14,6 +14,7 @@
 #include "tb/command_render.h"
 #include "tb/command_scene.h"
 #include "tb/command_verify.h"
+#include "tb/command_view.h"
 #include "tb/console.h"
 #include "tb/nearest.h"
 #include "tb/version.h"
@@ -156,6 +157,38 @@ void add_scene(CLI::App& app, SceneOptions& options) {
       ->capture_default_str();
 }
 
+void add_view(CLI::App& app, ViewOptions& options) {
+  CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
+  view->add_option("scene", options.scene, "demo, or a scene file")->required()->type_name("SCENE");
+  view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
+  view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
+      ->type_name("N");
+  view->add_option("--level", options.level,
+                   "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
+                   "own speed; core without --use")
+      ->type_name("LEVEL")
+      ->check(NotEmpty);
+  view->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  view->add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
+      ->type_name("UNIT=IMPLEMENTATION")
+      ->allow_extra_args(false);
+  view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
+      ->type_name("DIR")
+      ->check(NotEmpty)
+      ->capture_default_str();
+  view->add_option("--keys", options.keys, "Keys to press, one after each picture: \"1 g t o\"")
+      ->type_name("NAMES");
+  view->add_option("--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well")
+      ->type_name("N")
+      ->capture_default_str();
+  view->add_flag("--term", options.terminal,
+                 "In this terminal, in 24-bit colours, instead of a window; with --frames also as "
+                 "text into a file");
+  view->add_flag("--paused", options.paused, "Start with the first frame, and wait for keys");
+}
+
 int run_scene(const CLI::App& app, const SceneOptions& options) {
   const std::string command = app.get_subcommands().front()->get_name();
   if (command == "check") return command_scene_check(options);
@@ -209,6 +242,7 @@ int run_command_line(int argc, char** argv) {
   BenchOptions bench;
   VerifyOptions verify;
   SceneOptions scene;
+  ViewOptions view;
   bool json = false;
   add_render(app, render);
   app.add_subcommand("knobs", "List what --set may change")
@@ -216,6 +250,7 @@ int run_command_line(int argc, char** argv) {
   add_bench(app, bench);
   add_verify(app, verify);
   add_scene(app, scene);
+  add_view(app, view);
   app.add_subcommand("doctor", "Check the machine and list versions")
       ->add_flag("--json", json, "JSON on stdout instead of the text");
   try {
@@ -230,6 +265,7 @@ int run_command_line(int argc, char** argv) {
   if (app.got_subcommand("knobs")) return command_knobs(json);
   if (app.got_subcommand("doctor")) return command_doctor(json);
   if (app.got_subcommand("verify")) return command_verify(verify);
+  if (app.got_subcommand("view")) return command_view(view);
   if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("scene")) return run_scene(*app.get_subcommand("scene"), scene);
   render.command.assign(argv, argv + argc);

@@ -1,90 +1,187 @@
-// What the program shows of a frame beyond its picture: maps as files.
+// `racebeam view`: in a window of a real X server with real keys, without any screen, and wrong.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sc/chip_core.h"
-#include "tb/view/interval_watcher.h"
-#include "tb/view/map_picture.h"
+#include <algorithm>
+#include <fstream>
+
 #include "tests/program.h"
+#include "tests/view_pictures.h"
+#include "tests/x_server.h"
 
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
+namespace fs = std::filesystem;
 
-using Bytes = std::vector<std::uint8_t>;
+constexpr int Worst = 7223;
 
-/// Three bytes a pixel; empty if there is no such file.
-Bytes read_rgb(const std::string& path) {
-  const auto in = OIIO::ImageInput::open(path);
-  if (!in || in->spec().nchannels != 3) return {};
-  Bytes bytes(static_cast<std::size_t>(in->spec().width) * in->spec().height * 3);
-  if (!in->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data())) return {};
-  return bytes;
-}
-
-/// The intervals of a frame of the demo.
-std::vector<IntervalEvent> intervals_of(int frame) {
-  const knobs k;
-  chip_core chip;
-  chip.clock(false, k);
-  chip.deposit(frame, k);
-  IntervalWatcher watcher;
-  for (long left = 2L * LinePixels * FrameLines; left > 0; --left) {
-    const int room = chip.decision_datapath.room_q, face = chip.decision_datapath.hit_face_q;
-    chip_view view;
-    chip.clock(true, k, &view);
-    watcher.observe(view, room, face);
+class CliViewTest : public testing::Test {
+ protected:
+  CliViewTest() {
+    setenv("SDL_AUDIODRIVER", "dummy", 1);
+    unsetenv("DISPLAY");
   }
-  return watcher.take();
-}
-
-TEST(CliOverlay, MapsLieBesideTheFramesAndInTheManifest) {
-  const ScratchFolder folder;
-  Program program(folder.path(), {"render", "demo", "--first", "7223", "--overlay", "slack,cost",
-                                  "--overlay", "depth", "-o", "o"});
-  ASSERT_EQ(program.wait(), 0) << program.err();
-  const json manifest = json::parse(read_file(folder / "o/manifest.json"));
-  EXPECT_EQ(manifest.at("files"),
-            (json{"frame_7223.png", "overlay_slack_7223.png", "overlay_cost_7223.png",
-                  "overlay_depth_7223.png", "stats.json"}));
-  const auto intervals = intervals_of(7223);
-  for (const MapKind kind : MapKinds) {
-    const RgbImage expected = map_picture(make_map(kind, intervals, Raster()), "demo frame 7223");
-    const Bytes found =
-        read_rgb(folder / ("o/overlay_" + std::string(map_name(kind)) + "_7223.png"));
-    EXPECT_EQ(expected.height(), VisibleRows + MapBarHeight);
-    EXPECT_EQ(found,
-              Bytes(expected.bytes(), expected.bytes() + 3 * expected.width() * expected.height()))
-        << map_name(kind);
+  /// A run that opens no window.
+  int view(std::vector<std::string> arguments, const std::string& driver = "dummy") {
+    arguments.insert(arguments.begin(), "view");
+    Program program(folder.path(), arguments,
+                    {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=" + driver});
+    const int code = program.wait();
+    said = program.err();
+    return code;
   }
+  const ScratchFolder folder;
+  std::string said;
+};
+
+TEST_F(CliViewTest, WindowShowsTheFramePixelForPixelAndObeysTheKeyboard) {
+  const XServer server;
+  const auto shows = [&](const Bytes& expected, int height = VisibleRows) {
+    return eventually([&] { return server.window(VisibleColumns, height) == expected; });
+  };
+  Program program(folder.path(), {"view", "demo", "--first", "7223", "--paused", "-o", "shots"},
+                  {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
+  server.point_at_window();
+  EXPECT_TRUE(shows(frame_of(Worst)));
+  server.key("1");
+  EXPECT_TRUE(shows(map_of(MapKind::Slack, Worst), VisibleRows + MapBarHeight));
+  server.key("3");
+  EXPECT_TRUE(shows(map_of(MapKind::Depth, Worst), VisibleRows + MapBarHeight));
+  server.key("0");
+  EXPECT_TRUE(shows(frame_of(Worst)));
+  server.key("F12");
+  EXPECT_TRUE(eventually([&] { return fs::exists(folder / "shots/view_7223.png"); }));
+  EXPECT_EQ(read_rgb(folder / "shots/view_7223.png"), frame_of(Worst));
+  server.key("period");
+  EXPECT_TRUE(shows(frame_of(Worst + 1)));
+  server.key("Right");
+  EXPECT_TRUE(shows(frame_of(Worst + 61)));
+  server.key("Escape");
+  EXPECT_EQ(program.wait(), 0) << program.err();
 }
 
-TEST(CliOverlay, GetsAFolderEvenIfOtherFilesAreAskedFor) {
-  const ScratchFolder folder;
-  Program program(folder.path(), {"render", "demo", "--overlay", "depth", "--stats", "a.json"});
-  ASSERT_EQ(program.wait(), 0) << program.err();
-  EXPECT_FALSE(read_rgb(folder / "racebeam_out/overlay_depth_0000.png").empty());
+TEST_F(CliViewTest, AChangedSceneFileIsShownAtTheSignalLevelToo) {
+  const auto write = [&](const std::string& palette) {
+    std::ofstream(folder / "scene.toml")
+        << "frames = 9\n[[room]]\nid = \"a\"\ncentre = [0, 0, 0]\nhalf_size = [90, 60, 90]\n"
+        << "[camera]\nroom = \"a\"\n[look]\npalette = [\"000\", \"110\", \"" << palette
+        << "\", \"332\"]\n";
+  };
+  const auto rendered = [&](const std::string& to) {
+    Program render(folder.path(), {"render", "scene.toml", "--first", "3", "-o", to});
+    EXPECT_EQ(render.wait(), 0) << render.err();
+    return read_rgb(folder / (to + "/frame_0003.png"));
+  };
+  write("320");
+  const Bytes before = rendered("before");
+  const XServer server;
+  const auto shows = [&](const Bytes& expected) {
+    return eventually([&] { return server.window(VisibleColumns, VisibleRows) == expected; });
+  };
+  Program program(folder.path(),
+                  {"view", "scene.toml", "--level", "signal", "--first", "3", "--paused"},
+                  {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
+  server.point_at_window();
+  EXPECT_TRUE(shows(before));
+  write("0312");  // a fault: the old picture stays, with the message above it
+  EXPECT_TRUE(eventually([&] {
+    const Bytes now = server.window(VisibleColumns, VisibleRows);
+    return !now.empty() && now != before &&
+           std::equal(before.end() - 900'000 / 2, before.end(), now.end() - 900'000 / 2);
+  }));
+  write("030");
+  const Bytes after = rendered("after");
+  EXPECT_NE(after, before);
+  EXPECT_TRUE(shows(after));
+  server.point_at_window();
+  server.key("q");
+  EXPECT_EQ(program.wait(), 0) << program.err();
 }
 
-TEST(CliOverlay, UnknownMapNamesTheNearestOne) {
-  const ScratchFolder folder;
-  Program program(folder.path(), {"render", "demo", "--overlay", "slak"});
-  EXPECT_EQ(program.wait(), 2);
-  EXPECT_THAT(program.err(), HasSubstr("slack"));
+TEST_F(CliViewTest, WithoutAScreenTheScreenshotIsTheRenderedFrame) {
+  ASSERT_EQ(view({"demo", "--first", "7223", "--frames", "1", "--keys", "o"}), 0) << said;
+  Program render(folder.path(), {"render", "demo", "--first", "7223", "-o", "r"});
+  ASSERT_EQ(render.wait(), 0) << render.err();
+  const std::string shot = read_file(folder / "view_7223.png");
+  EXPECT_FALSE(shot.empty());
+  EXPECT_EQ(shot, read_file(folder / "r/frame_7223.png"));
+}
+
+TEST_F(CliViewTest, WithoutAScreenAnOverlayIsTheMap) {
+  ASSERT_EQ(view({"demo", "--first", "7223", "--frames", "1", "--keys", "2 o"}), 0) << said;
+  EXPECT_EQ(read_rgb(folder / "view_7223.png"), map_of(MapKind::Cost, Worst));
+}
+
+TEST_F(CliViewTest, RtlInAUnitsPlaceShowsTheSameFrame) {
+  ASSERT_EQ(
+      view({"demo", "--first", "7223", "--frames", "1", "--use", "camera_unit=rtl", "--keys", "o"}),
+      0)
+      << said;
+  EXPECT_EQ(read_rgb(folder / "view_7223.png"), frame_of(Worst));
+}
+
+TEST_F(CliViewTest, SignalLevelStopsAtAnyClock) {
+  ASSERT_EQ(view({"demo", "--first", "60", "--level", "signal", "--paused", "--frames", "1",
+                  "--keys", "l l k c b o"}),
+            0)
+      << said;
+  EXPECT_EQ(read_rgb(folder / "view_0061.png"), frame_of(60));  // the beam is in the blanked lines
+}
+
+TEST_F(CliViewTest, KnobsChangeTheFrame) {
+  ASSERT_EQ(view({"demo", "--first", "7223", "--frames", "1", "--set", "interval_stack_depth=1",
+                  "--keys", "o"}),
+            0)
+      << said;
+  Program render(folder.path(), {"render", "demo", "--first", "7223", "--set",
+                                 "interval_stack_depth=1", "-o", "r"});
+  ASSERT_EQ(render.wait(), 0) << render.err();
+  EXPECT_EQ(read_file(folder / "view_7223.png"), read_file(folder / "r/frame_7223.png"));
+  EXPECT_NE(read_rgb(folder / "view_7223.png"), frame_of(Worst));
+}
+
+TEST_F(CliViewTest, RecordsAGifOfTheFramesThatAreShown) {
+  ASSERT_EQ(view({"demo", "--first", "60", "--frames", "9", "--keys", "v 0 0 v"}), 0) << said;
+  Program render(folder.path(),
+                 {"render", "demo", "--first", "60", "--frames", "3", "--gif", "r.gif"});
+  ASSERT_EQ(render.wait(), 0) << render.err();
+  EXPECT_EQ(read_file(folder / "view_0060.gif"), read_file(folder / "r.gif"));
+}
+
+TEST_F(CliViewTest, EndsAGifThatIsBeingRecordedWhenItEnds) {
+  ASSERT_EQ(view({"demo", "--first", "60", "--frames", "2", "--keys", "v"}), 0) << said;
+  EXPECT_THAT(said, HasSubstr("wrote 2 frames to ./view_0060.gif"));
+}
+
+TEST_F(CliViewTest, MistakesEndWithTwoAndSayWhatToDo) {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> mistakes{
+      {{"dmo"}, "demo"},
+      {{"demo", "--first", "12799"}, "0..12798"},
+      {{"demo", "--frames", "0"}, "1.."},
+      {{"demo", "--scale", "9"}, "0..8"},
+      {{"demo", "--level", "signel"}, "signal"},
+      {{"demo", "--level", "core", "--use", "stacks=rtl"}, "leave out --level"},
+      {{"demo", "--use", "stack=rtl"}, "stacks"},
+      {{"demo", "--set", "fifo_entries=1"}, "3..64"},
+      {{"demo", "--set", "corner_bits=13"}, "at most 12"},
+      {{"demo", "--keys", "1 spce"}, "space"},
+      {{"demo", "--frames", "1", "--keys", "o", "-o", "/dev/null/shots"}, "cannot write"},
+  };
+  for (const auto& [arguments, hint] : mistakes) {
+    EXPECT_EQ(view(arguments), 2) << hint;
+    EXPECT_THAT(said, HasSubstr(hint));
+  }
   EXPECT_EQ(folder.files(), 0);
 }
 
-TEST(CliOverlay, AGoldenTracerHasNone) {
-  const ScratchFolder folder;
-  Program program(folder.path(), {"render", "demo", "--overlay", "cost", "--golden", "trace2"});
-  EXPECT_EQ(program.wait(), 2);
-  EXPECT_THAT(program.err(), HasSubstr("leave out --golden"));
+TEST_F(CliViewTest, WithoutADisplayItEndsWithThreeAndNamesTheTerminal) {
+  EXPECT_EQ(view({"demo"}, "x11"), 3);
+  EXPECT_THAT(said, HasSubstr("racebeam view --term"));
 }
 
 }  // namespace

@@ -42,19 +42,6 @@ Vector seen_from(const SceneFile& scene, const Room& to, const Room& from, const
   return result;
 }
 
-// Moves into the room behind `face` that holds the camera; false if there is none.
-bool change_room(const SceneFile& scene, int face, PathPoint& point) {
-  const Room& from = scene.rooms[point.room];
-  for (const int number : from.portals[face]) {
-    const Room& to = scene.rooms[number];
-    const Vector position = seen_from(scene, to, from, point.position);
-    if (!inside(to, position)) continue;
-    point = {number, position};
-    return true;
-  }
-  return false;
-}
-
 void measure(const SceneFile& scene, const PathPoint& point, CameraPath& path) {
   for (int axis = 0; axis < 3; ++axis) {
     const int distance = std::abs(point.position[axis]);
@@ -67,6 +54,18 @@ void measure(const SceneFile& scene, const PathPoint& point, CameraPath& path) {
 }
 
 }  // namespace
+
+bool cross_portal(const SceneFile& scene, int face, PathPoint& point) {
+  const Room& from = scene.rooms[point.room];
+  for (const int number : from.portals[face]) {
+    const Room& to = scene.rooms[number];
+    const Vector position = seen_from(scene, to, from, point.position);
+    if (!inside(to, position)) continue;
+    point = {number, position};
+    return true;
+  }
+  return false;
+}
 
 CameraPath fly(const SceneFile& scene) {
   CameraPath path;
@@ -81,7 +80,7 @@ CameraPath fly(const SceneFile& scene) {
         flying = false;
       }
       const int face = face_left(scene.rooms[point.room], point.position);
-      if (face >= 0 && !change_room(scene, face, point)) {
+      if (face >= 0 && !cross_portal(scene, face, point)) {
         path.end = PathEnd{frame, point.room, face};
         return path;
       }

@@ -38,6 +38,10 @@ struct CameraPath {
   std::array<int, FaceCount> crossings{};  ///< portals passed, by the face left through
 };
 
+/// Moves a point that has left its room by `face` into the room behind it that holds it; false,
+/// and unchanged, if there is none.
+bool cross_portal(const SceneFile& scene, int face, PathPoint& point);
+
 /// Flies scene.frames frames. The scene has rooms and shots.
 CameraPath fly(const SceneFile& scene);
 

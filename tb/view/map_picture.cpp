@@ -67,6 +67,18 @@ const char* title_of(MapKind kind) {
                                  : "depth: rooms entered";
 }
 
+// map_colour of whole clocks, of which there are not more than a line has.
+Rgb slack_colour(float clocks) {
+  constexpr int LongestLine = 8 * LinePixels;
+  static const Colours table = [] {
+    Colours colours;
+    for (int i = 0; i <= LongestLine; ++i)
+      colours.push_back(map_colour(MapKind::Slack, static_cast<float>(i)));
+    return colours;
+  }();
+  return table[std::clamp(static_cast<int>(clocks), 0, LongestLine)];
+}
+
 }  // namespace
 
 Rgb map_colour(MapKind kind, float value) {
@@ -76,11 +88,17 @@ Rgb map_colour(MapKind kind, float value) {
 }
 
 void paint_map(RgbImage& picture, const FrameMap& map, bool running) {
+  float last = FrameMap::Unknown;  // neighbours often have the same value
+  Rgb colour = map_colour(map.kind, last);
   for (int row = 0; row < VisibleRows; ++row)
     for (int column = 0; column < VisibleColumns; ++column) {
       const float value = map.at(column, row);
       if (value == FrameMap::Unknown && running) continue;
-      picture.dot(column, row, map_colour(map.kind, value));
+      if (value != last) {
+        last = value;
+        colour = map.kind == MapKind::Slack ? slack_colour(value) : map_colour(map.kind, value);
+      }
+      picture.dot(column, row, colour);
     }
 }
 

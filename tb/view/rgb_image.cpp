@@ -20,10 +20,12 @@ RgbImage::RgbImage(int width, int height, Rgb paper)
   static_assert(sizeof(Rgb) == 3);
 }
 
-RgbImage::RgbImage(const std::vector<std::uint8_t>& colours, int width, int height)
+RgbImage::RgbImage(const std::vector<std::uint8_t>& colours, int columns, int rows, int width,
+                   int height)
     : RgbImage(width, height) {
-  for (std::size_t i = 0; i < pixels_.size() && i < colours.size(); ++i)
-    pixels_[i] = rgb_of(colours[i]);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      pixels_[static_cast<std::size_t>(y) * width + x] = rgb_of(colours[y * columns + x]);
 }
 
 void RgbImage::fill(int left, int top, int width, int height, Rgb colour) {

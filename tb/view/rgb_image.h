@@ -29,8 +29,8 @@ Rgb mix(Rgb a, Rgb b, double share);
 class RgbImage {
  public:
   RgbImage(int width, int height, Rgb paper = {0, 0, 0});
-  /// A picture of the chip's colours.
-  RgbImage(const std::vector<std::uint8_t>& colours, int width, int height);
+  /// A picture of columns x rows of the chip's colours, at the top left of a larger black one.
+  RgbImage(const std::vector<std::uint8_t>& colours, int columns, int rows, int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/command_view.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "tb/console.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
+#include "tb/nearest.h"
+#include "tb/open_show.h"
+#include "tb/set_knob.h"
+#include "tb/use_option.h"
+#include "tb/view/core_source.h"
+#include "tb/view/signal_source.h"
+#include "tb/view/term_screen.h"
+#include "tb/view/view_window.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* BuiltIn = "demo";
+
+void check_range(const char* option, long long value, long long min, long long max) {
+  if (value < min || value > max)
+    throw UsageError(fmt::format("{} {} is out of range; {}..{}", option, value, min, max));
+}
+
+std::string level_of(const ViewOptions& options) {
+  if (options.level.empty()) return options.units.empty() ? "core" : "signal";
+  if (options.level != "core" && options.level != "signal")
+    throw unknown_name("level", options.level, {"core", "signal"});
+  if (options.level == "core" && !options.units.empty())
+    throw UsageError("--use needs --level signal; leave out --level, or --use");
+  return options.level;
+}
+
+knobs knobs_of(const ViewOptions& options, const Show& show) {
+  knobs k = show.standard_knobs();
+  for (const std::string& assignment : options.assignments) set_knob(k, assignment);
+  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
+  return k;
+}
+
+Stage core_stage(const ViewOptions& options, const Show& show) {
+  const knobs k = knobs_of(options, show);
+  const SceneFile* scene = show.scene();
+  const bool wraps = !scene || scene->wrap || scene->overlap;
+  return {show, k, std::make_unique<CoreSource>(k, show.program(), wraps)};
+}
+
+Stage signal_stage(const ViewOptions& options, const Show& show) {
+  const knobs k = knobs_of(options, show);
+  unit_choices units;
+  const UseOption use(k, show.program());
+  for (const std::string& choice : options.units) use.use(units, choice);
+  return {show, k, std::make_unique<SignalSource>(k, show.program(), units)};
+}
+
+/// SystemC wires a chip once in a process: another scene needs another process.
+struct StartAgain {};
+
+// The keys that make this state out of the one at the start.
+std::string keys_of(const ViewState& state) {
+  std::string keys;
+  for (const auto& [key, on] :
+       {std::pair{"b", !state.beam}, std::pair{"i", state.borders}, std::pair{"g", state.gauges},
+        std::pair{"t", state.text}, std::pair{"h", state.help}, std::pair{"m", state.muted}})
+    if (on) keys += std::string(key) + " ";
+  if (state.map) keys += std::to_string(1 + static_cast<int>(*state.map)) + " ";
+  for (int i = 0; i < std::abs(state.speed); ++i) keys += state.speed < 0 ? "- " : "+ ";
+  return keys;
+}
+
+// The same command at the same frame. Does not return.
+void start_again(const ViewOptions& options, const Viewer& viewer) {
+  const int frame = std::min(viewer.source().watch().frame(), viewer.show().frames() - 1);
+  std::vector<std::string> words = {"racebeam",
+                                    "view",
+                                    options.scene,
+                                    "--level",
+                                    "signal",
+                                    "--first",
+                                    std::to_string(frame),
+                                    "--scale",
+                                    std::to_string(options.scale),
+                                    "--output",
+                                    options.folder};
+  for (const std::string& one : options.assignments) words.insert(words.end(), {"--set", one});
+  for (const std::string& one : options.units) words.insert(words.end(), {"--use", one});
+  if (options.frames) words.insert(words.end(), {"--frames", std::to_string(*options.frames)});
+  if (options.terminal) words.emplace_back("--term");
+  if (viewer.control.state.paused) words.emplace_back("--paused");
+  const std::string keys = keys_of(viewer.control.state);
+  if (!keys.empty()) words.push_back("--keys=" + keys);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv("/proc/self/exe", arguments.data());
+  throw UsageError("the program cannot be started again with the changed scene");
+}
+
+// The demo in scenes/, beside the program's sources or where they are installed.
+Show demo_file() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& folder : {program / "../share/racebeam", fs::path(RACEBEAM_ROOT)})
+    if (fs::exists(folder / "scenes/demo.toml", error))
+      return open_show((folder / "scenes/demo.toml").string());
+  throw UsageError("free flight needs a scene file, and scenes/demo.toml is not here");
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+// Names of keys that do nothing are mistakes in a script.
+void check_keys(const std::vector<std::string>& keys) {
+  std::vector<std::string> known;
+  for (const KeyHelp& row : ViewControl::help())
+    for (const std::string& key : words_of(row.keys)) known.push_back(key);
+  for (const std::string& key : keys)
+    if (!ViewControl().press(key)) throw unknown_name("key", key, known);
+}
+
+}  // namespace
+
+int command_view(const ViewOptions& options) {
+  const std::string level = level_of(options);
+  const std::vector<std::string> keys = words_of(options.keys);
+  check_keys(keys);
+  const Show show = open_show(options.scene);
+  check_range("--first", options.first, 0, show.frames() - 1);
+  check_range("--scale", options.scale, 0, 8);
+  if (options.frames) check_range("--frames", *options.frames, 1, 1'000'000);
+  Viewer::Options setting;
+  setting.first = static_cast<int>(options.first);
+  if (options.frames) setting.frames = static_cast<int>(*options.frames);
+  if (options.scene != BuiltIn) setting.scene_file = options.scene;
+  setting.folder = options.folder;
+  setting.demo_file = demo_file;
+  const bool core = level == "core";
+  if (core) setting.restage = [&](const Show& changed) { return core_stage(options, changed); };
+  else
+    setting.restage = [&](const Show& changed) -> Stage {
+      knobs_of(options, changed);  // an objection is told, and the old scene goes on
+      throw StartAgain{};
+    };
+  Stage stage = core ? core_stage(options, show) : signal_stage(options, show);
+  auto screen = options.terminal ? open_terminal(!options.frames)
+                                 : open_window(static_cast<int>(options.scale));
+  Viewer viewer(std::move(stage), setting);
+  viewer.control.state.paused = options.paused;
+  catch_interrupts();
+  bool again = false;
+  int code = ExitGood;
+  try {
+    code = run_view(viewer, *screen, keys);
+  } catch (const StartAgain&) {
+    again = true;
+  }
+  screen.reset();
+  if (const std::string said = viewer.end(); !said.empty()) tell(said);
+  if (again) start_again(options, viewer);
+  return code;
+}
+
+}  // namespace racebeam

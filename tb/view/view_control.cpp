@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/view/view_control.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace racebeam {
+
+namespace {
+
+using Keys = std::map<std::string, std::function<void(ViewState&)>>;
+
+const std::map<std::string, ViewAction>& action_keys() {
+  static const std::map<std::string, ViewAction> keys{
+      {".", ViewAction::StepFrame},    {"l", ViewAction::StepLine},
+      {"k", ViewAction::StepPixel},    {"c", ViewAction::StepClock},
+      {"r", ViewAction::Rewind},       {"left", ViewAction::Back},
+      {"right", ViewAction::Forward},  {"o", ViewAction::Screenshot},
+      {"f12", ViewAction::Screenshot}, {"v", ViewAction::Record},
+      {"f", ViewAction::Fly},          {"f5", ViewAction::Reload},
+      {"escape", ViewAction::Quit},    {"q", ViewAction::Quit}};
+  return keys;
+}
+
+void show_map(ViewState& s, MapKind kind) {
+  if (s.map == kind) s.map.reset();
+  else s.map = kind;
+}
+
+void change_speed(ViewState& s, int by) {
+  s.speed = std::clamp(s.speed + by, ViewControl::SlowestSpeed, ViewControl::FastestSpeed);
+}
+
+const Keys& state_keys() {
+  static const Keys keys{
+      {"space", [](ViewState& s) { s.paused = !s.paused; }},
+      {"p", [](ViewState& s) { s.paused = !s.paused; }},
+      {"=", [](ViewState& s) { change_speed(s, 1); }},
+      {"+", [](ViewState& s) { change_speed(s, 1); }},
+      {"-", [](ViewState& s) { change_speed(s, -1); }},
+      {"0", [](ViewState& s) { s.map.reset(); }},
+      {"1", [](ViewState& s) { show_map(s, MapKind::Slack); }},
+      {"2", [](ViewState& s) { show_map(s, MapKind::Cost); }},
+      {"3", [](ViewState& s) { show_map(s, MapKind::Depth); }},
+      {"b", [](ViewState& s) { s.beam = !s.beam; }},
+      {"i", [](ViewState& s) { s.borders = !s.borders; }},
+      {"g", [](ViewState& s) { s.gauges = !s.gauges; }},
+      {"t", [](ViewState& s) { s.text = !s.text; }},
+      {"h", [](ViewState& s) { s.help = !s.help; }},
+      {"f1", [](ViewState& s) { s.help = !s.help; }},
+      {"m", [](ViewState& s) { s.muted = !s.muted; }},
+      {"f11", [](ViewState& s) { s.full_screen = !s.full_screen; }},
+  };
+  return keys;
+}
+
+bool pauses(ViewAction action) {
+  return action == ViewAction::StepFrame || action == ViewAction::StepLine ||
+         action == ViewAction::StepPixel || action == ViewAction::StepClock;
+}
+
+}  // namespace
+
+// Keys that move the camera while it flies; the arrows have another meaning otherwise.
+bool ViewControl::flight_key(const std::string& key) const {
+  static const std::set<std::string> keys{"w", "a",    "s",  "d",    "e",
+                                          "x", "left", "up", "down", "right"};
+  return keys.count(key) > 0;
+}
+
+bool ViewControl::press(const std::string& key) {
+  if (flight_key(key)) held_.insert(key);
+  if (state.flying && flight_key(key)) return true;
+  if (const auto known = state_keys().find(key); known != state_keys().end()) {
+    known->second(state);
+    return true;
+  }
+  const auto known = action_keys().find(key);
+  if (known == action_keys().end()) return flight_key(key);
+  if (pauses(known->second)) state.paused = true;
+  actions_.push(known->second);
+  return true;
+}
+
+void ViewControl::release(const std::string& key) { held_.erase(key); }
+
+void ViewControl::mouse(int right, int down) {
+  if (!state.flying) return;
+  mouse_.right += right;
+  mouse_.down += down;
+}
+
+std::optional<ViewAction> ViewControl::take_action() {
+  if (actions_.empty()) return {};
+  const ViewAction action = actions_.front();
+  actions_.pop();
+  return action;
+}
+
+ViewControl::Motion ViewControl::motion() const {
+  const auto held = [this](const char* plus, const char* minus) {
+    return static_cast<int>(held_.count(plus)) - static_cast<int>(held_.count(minus));
+  };
+  return {held("w", "s"), held("d", "a"), held("e", "x"), held("right", "left"),
+          held("down", "up")};
+}
+
+ViewControl::Look ViewControl::take_mouse() { return std::exchange(mouse_, {}); }
+
+const std::vector<KeyHelp>& ViewControl::help() {
+  static const std::vector<KeyHelp> rows{
+      {"space p", "pause, go on"},
+      {". l k c", "step a frame, line, pixel, clock"},
+      {"r", "rewind to the first frame"},
+      {"left right", "a second back, on"},
+      {"+ = -", "faster, slower"},
+      {"1 2 3", "map of slack, cost, depth"},
+      {"0", "no map"},
+      {"b", "beam position"},
+      {"i", "borders of intervals"},
+      {"g", "gauges of FIFO and stacks"},
+      {"t", "statistics"},
+      {"f", "free flight, back to the path"},
+      {"w a s d", "fly ahead, left, back, right"},
+      {"e x", "rise, sink"},
+      {"up down", "look up, down; mouse: look around"},
+      {"o f12", "screenshot"},
+      {"v", "record a GIF, stop"},
+      {"f5", "load the scene file again"},
+      {"m", "sound off, on"},
+      {"f11", "full screen"},
+      {"h f1", "this help"},
+      {"q escape", "quit"},
+  };
+  return rows;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,86 @@
+// ViewControl: from keys to what a viewer shows and does. Knows no window.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <queue>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tb/view/frame_maps.h"
+
+namespace racebeam {
+
+/// What is to be done once.
+enum class ViewAction {
+  StepFrame,
+  StepLine,
+  StepPixel,
+  StepClock,
+  Rewind,
+  Back,
+  Forward,
+  Screenshot,
+  Record,
+  Fly,
+  Reload,
+  Quit,
+};
+
+/// What holds until a key changes it.
+struct ViewState {
+  bool paused = false;
+  int speed = 0;  ///< clocks of real time times 2^speed
+  std::optional<MapKind> map;
+  bool beam = false, borders = false, gauges = false, text = false, help = false;
+  bool muted = false, full_screen = false;
+  bool flying = false;  ///< set by whoever takes ViewAction::Fly
+};
+
+/// One row of the help.
+struct KeyHelp {
+  std::string keys, meaning;
+};
+
+class ViewControl {
+ public:
+  static constexpr int SlowestSpeed = -12, FastestSpeed = 3;
+
+  /// A key by its name: "a", "space", "f1", "left" ...; others do nothing. False for those.
+  bool press(const std::string& key);
+  void release(const std::string& key);
+  /// Pixels of the mouse, counted while flying.
+  void mouse(int right, int down);
+  /// All keys are up: the window lost them.
+  void release_all() { held_.clear(); }
+
+  /// The oldest action that was not taken.
+  std::optional<ViewAction> take_action();
+  /// -1, 0 or 1 of the keys that are held: ahead, to the right, up; turning right, down.
+  struct Motion {
+    int ahead = 0, right = 0, up = 0, turn = 0, tilt = 0;
+  };
+  Motion motion() const;
+  struct Look {
+    int right = 0, down = 0;
+  };
+  /// How far the mouse has moved since the last call.
+  Look take_mouse();
+
+  ViewState state;
+
+  /// Every key, as press() knows them: a test holds that.
+  static const std::vector<KeyHelp>& help();
+
+ private:
+  bool flight_key(const std::string& key) const;
+
+  std::queue<ViewAction> actions_;
+  std::set<std::string> held_;
+  Look mouse_;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,20 @@
+// The panel beside the viewer's picture: statistics, and gauges of FIFO, stack and depth.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "sc/knobs.h"
+#include "tb/view/frame_watch.h"
+#include "tb/view/rgb_image.h"
+#include "tb/view/view_control.h"
+
+namespace racebeam {
+
+/// Paints it from column 640 on.
+void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, const ViewState& state,
+                 const std::string& statistics);
+
+}  // namespace racebeam

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/view/view_picture.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "tb/view/map_picture.h"
+#include "tb/view/pixel_font.h"
+#include "tb/view/view_panel.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr Rgb Beam{255, 64, 220}, Border{64, 255, 160}, Shade{10, 10, 14}, Ink{235, 235, 235};
+constexpr Rgb KeyInk{255, 212, 96}, Alarm{150, 20, 20};
+
+// The last pixel of each interval. Without a known one, a line has none.
+void paint_borders(RgbImage& picture, const std::vector<IntervalEvent>& intervals) {
+  for (const IntervalEvent& event : intervals)
+    if (event.known() && event.to < LastPixel)
+      picture.dot(event.to + 1, event.y - FirstVisibleLine, Border);
+}
+
+// Its line, faint, and the beam itself; nothing in the blanked lines.
+void paint_beam(RgbImage& picture, const FrameWatch& watch) {
+  const BeamScreen& screen = watch.screen();
+  const int row = screen.y() - FirstVisibleLine;
+  if (watch.whole() || row < 0 || row >= VisibleRows) return;
+  const int column = watch.raster().column_at[screen.clock_of_line()];
+  picture.tint(0, row, VisibleColumns, 1, Beam, 0.6);
+  picture.fill(column - 1, row - 5, 3, 11, Beam);
+  picture.fill(column - 5, row - 1, 11, 3, Beam);
+}
+
+void paint_help(RgbImage& picture) {
+  constexpr int Left = 150, Top = 66, Margin = 14, KeyLetters = 12, RowHeight = 15;
+  const auto& rows = ViewControl::help();
+  const int height = 2 * Margin + RowHeight * static_cast<int>(rows.size());
+  picture.tint(Left, Top, VisibleColumns - 2 * Left, height, Shade, 0.88);
+  int y = Top + Margin;
+  for (const KeyHelp& row : rows) {
+    picture.text(Left + Margin, y, row.keys, KeyInk);
+    picture.text(Left + Margin + GlyphWidth * KeyLetters, y, row.meaning, Ink);
+    y += RowHeight;
+  }
+}
+
+// Breaks lines that are longer than the picture is wide.
+void paint_error(RgbImage& picture, const std::string& error) {
+  constexpr int Margin = 8;
+  constexpr std::size_t Letters = (VisibleColumns - 2 * Margin) / GlyphWidth;
+  std::vector<std::string> lines;
+  std::istringstream in(error);
+  for (std::string line; std::getline(in, line) && lines.size() < 12;)
+    for (; !line.empty(); line.erase(0, Letters)) lines.push_back(line.substr(0, Letters));
+  picture.fill(0, 0, VisibleColumns, 2 * Margin + GlyphHeight * static_cast<int>(lines.size()),
+               Alarm);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    picture.text(Margin, Margin + GlyphHeight * static_cast<int>(i), lines[i], Ink);
+}
+
+}  // namespace
+
+RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
+                      const ViewWords& words) {
+  const bool panel = state.gauges || state.text;
+  RgbImage picture(watch.screen().colours(), VisibleColumns, VisibleRows,
+                   VisibleColumns + (panel ? PanelWidth : 0),
+                   VisibleRows + (state.map ? MapBarHeight : 0));
+  if (state.map) {
+    paint_map(picture, make_map(*state.map, watch.intervals(), watch.raster()), !watch.whole());
+    paint_bar(picture, VisibleRows, *state.map, words.where);
+  }
+  if (state.borders) paint_borders(picture, watch.intervals());
+  if (state.beam) paint_beam(picture, watch);
+  if (panel) paint_panel(picture, watch, k, state, words.statistics);
+  if (state.help) paint_help(picture);
+  if (!words.error.empty()) paint_error(picture, words.error);
+  return picture;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/view/view_recorder.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "sc/constants.h"
+#include "tb/image_files.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+std::string ViewRecorder::free_name(int frame, const std::string& extension) const {
+  std::error_code ignored;
+  fs::create_directories(folder_, ignored);
+  for (int copy = 1;; ++copy) {
+    const std::string name =
+        copy == 1 ? fmt::format("view_{:04}", frame) : fmt::format("view_{:04}_{}", frame, copy);
+    const fs::path path = fs::path(folder_) / (name + extension);
+    if (!fs::exists(path, ignored)) return path.string();
+  }
+}
+
+std::string ViewRecorder::screenshot(const RgbImage& picture, int frame) const {
+  const std::string name = free_name(frame, ".png");
+  write_png(name, picture);
+  return name;
+}
+
+void ViewRecorder::start(int frame) {
+  constexpr double FramesPerSecond = 60;
+  gif_name_ = free_name(frame, ".gif");
+  gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, FramesPerSecond);
+}
+
+void ViewRecorder::add(const std::vector<std::uint8_t>& colours) {
+  if (gif_) gif_->add(colours);
+}
+
+std::string ViewRecorder::stop() {
+  const int frames = gif_->frames();
+  const std::unique_ptr<GifWriter> gif = std::move(gif_);
+  if (frames == 0) return "recorded nothing";
+  gif->close();
+  return fmt::format("wrote {} frame{} to {}", frames, frames == 1 ? "" : "s", gif_name_);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/view/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tb/errors.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr double FramesPerSecond = 60;
+constexpr int Leap = 60;              // frames of the arrow keys
+constexpr int Slice = 20'000;         // clocks between two looks at the time
+constexpr double LongestLag = 0.25;   // seconds that are caught up at most
+constexpr double NewsInterval = 0.2;  // seconds between two looks at the scene file
+constexpr int MostSound = 4;          // frames in one tick
+
+}  // namespace
+
+Viewer::Viewer(Stage stage, Options options)
+    : stage_(std::move(stage)),
+      options_(std::move(options)),
+      watch_(options_.scene_file),
+      recorder_(options_.folder) {
+  go_to(options_.first);
+  control.state.beam = !stage_.source->fast();
+}
+
+int Viewer::next_frame() const {
+  return (stage_.source->watch().frame() + 1) % stage_.show.frames();
+}
+
+// The frame is shown to its end at once, or as soon as the source can.
+void Viewer::go_to(int frame) {
+  const int frames = stage_.show.frames();
+  sound_frame_ = ((frame % frames) + frames) % frames;
+  stage_.source->seek(sound_frame_);
+  flight_.reset();
+  control.state.flying = false;
+  fill_ = true;
+  budget_ = 0;
+}
+
+// All simulation goes through here: at most to the end of the frame.
+int Viewer::clocks(int count) {
+  FrameSource& source = *stage_.source;
+  if (flight_ && (source.watch().whole() || source.watch().seen() == 0)) {
+    steer();
+    source.fly(flight_frame_, flight_->pose());
+  }
+  const int done = source.advance(count);
+  changed_ = true;
+  if (!source.watch().whole()) return done;
+  fill_ = false;
+  ++frames_shown_;
+  if (since_frame_ > 1e-3) rate_ += (1 / since_frame_ - rate_) * (rate_ > 0 ? 0.1 : 1);
+  since_frame_ = 0;
+  recorder_.add(source.watch().screen().colours());
+  return done;
+}
+
+void Viewer::finish_frame() {
+  while (!stage_.source->watch().whole()) clocks(stage_.source->clocks_left());
+}
+
+void Viewer::step_pixel() {
+  const FrameWatch& watch = stage_.source->watch();
+  bool last = false;
+  while (!last) {
+    last = watch.raster().clocks[watch.screen().clock_of_line()].last;
+    clocks(1);
+  }
+}
+
+void Viewer::act(ViewAction action) {
+  const FrameWatch& watch = stage_.source->watch();
+  const int frame = watch.frame();
+  note_.clear();
+  switch (action) {
+    case ViewAction::StepFrame: clocks(stage_.source->clocks_left()); break;
+    case ViewAction::StepLine:
+      clocks(watch.raster().line_clocks() - watch.screen().clock_of_line());
+      break;
+    case ViewAction::StepPixel: step_pixel(); break;
+    case ViewAction::StepClock: clocks(1); break;
+    case ViewAction::Rewind: go_to(options_.first); break;
+    case ViewAction::Back: go_to(std::max(frame - Leap, 0)); break;
+    case ViewAction::Forward: go_to(frame + Leap); break;
+    case ViewAction::Screenshot: note_ = "wrote " + recorder_.screenshot(picture(), frame); break;
+    case ViewAction::Record: toggle_recording(); break;
+    case ViewAction::Fly: toggle_flight(); break;
+    case ViewAction::Reload: take_news(watch_.read()); break;
+    case ViewAction::Quit: quit_ = true; break;
+  }
+}
+
+// A GIF begins with the frame on show.
+void Viewer::toggle_recording() {
+  const FrameWatch& watch = stage_.source->watch();
+  if (recorder_.recording()) {
+    note_ = recorder_.stop();
+    return;
+  }
+  recorder_.start(watch.frame());
+  if (watch.whole()) recorder_.add(watch.screen().colours());
+}
+
+std::string Viewer::end() { return recorder_.recording() ? recorder_.stop() : ""; }
+
+void Viewer::set_stage(Stage stage, int frame) {
+  stage_.source.reset();  // refers to the old show
+  stage_ = std::move(stage);
+  go_to(std::min(frame, stage_.show.frames() - 1));
+}
+
+void Viewer::take_news(SceneWatch::News news) {
+  changed_ = true;
+  error_ = news.error;
+  if (!news.show) return;
+  try {
+    const bool flying = flight_.has_value();
+    const int frame = flying ? flight_frame_ : stage_.source->watch().frame();
+    set_stage(options_.restage(*news.show), frame);
+    note_ = "the scene file was loaded again";
+    if (flying) toggle_flight();
+  } catch (const UsageError& error) {
+    error_ = error.what();
+  }
+}
+
+void Viewer::look_for_news(double elapsed) {
+  since_news_ += elapsed;
+  if (since_news_ < NewsInterval) return;
+  since_news_ = 0;
+  if (auto news = watch_.look()) take_news(std::move(*news));
+}
+
+// The pin is clocked by the beam: other clocks a pixel would make other tones.
+bool Viewer::audible() const {
+  const knobs chip;
+  return control.state.speed == 0 && !control.state.muted &&
+         stage_.k.clocks_per_pixel == chip.clocks_per_pixel && stage_.k.speed == chip.speed;
+}
+
+// The last of so many frames; the sound of all.
+void Viewer::show_frames(int frames) {
+  finish_frame();
+  if (!flight_ && frames > 1)
+    stage_.source->seek((next_frame() + frames - 1) % stage_.show.frames());
+  if (audible())
+    for (int i = 0; i < std::min(frames, MostSound); ++i) {
+      const std::vector<float> more =
+          sound_.play((sound_frame_ + std::max(frames - MostSound, 0) + i) % stage_.show.frames());
+      samples_.insert(samples_.end(), more.begin(), more.end());
+    }
+  sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();
+  clocks(stage_.source->clocks_left());
+}
+
+void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
+  const Raster& raster = stage_.source->watch().raster();
+  const int speed = control.state.speed;
+  const double clock_rate = FramesPerSecond * raster.frame_clocks() * std::exp2(speed);
+  budget_ = std::min(budget_ + elapsed * clock_rate, LongestLag * clock_rate);
+  if (!stage_.source->fast() || speed < 0) {
+    while (budget_ >= 1 && !finished()) {
+      budget_ -= clocks(std::min(Slice, static_cast<int>(budget_)));
+      if (!in_time() || stage_.source->watch().whole()) break;
+    }
+    return;
+  }
+  const int due = static_cast<int>(budget_ / raster.frame_clocks());
+  if (due == 0 && !options_.frames) return;
+  budget_ = std::max(0.0, budget_ - due * static_cast<double>(raster.frame_clocks()));
+  show_frames(options_.frames ? 1 : due);
+}
+
+void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
+  since_frame_ += elapsed;
+  flight_time_ += elapsed;
+  look_for_news(elapsed);
+  bool new_picture = fill_;  // to be seen before it runs on
+  if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
+  while (fill_ && !stage_.source->fast()) {
+    clocks(Slice);
+    if (!in_time()) return;
+  }
+  while (const auto action = control.take_action()) {
+    act(*action);
+    new_picture = changed_ = true;
+  }
+  if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
+  if (!new_picture && !control.state.paused && !finished()) run(elapsed, in_time);
+}
+
+RgbImage Viewer::picture() const {
+  const int frame = stage_.source->watch().frame();
+  ViewWords words{fmt::format("{} frame {}", stage_.show.name(), frame), "", error_};
+  if (control.state.text) words.statistics = statistics();
+  return view_picture(stage_.source->watch(), stage_.k, control.state, words);
+}
+
+std::vector<float> Viewer::take_sound() { return std::exchange(samples_, {}); }
+
+}  // namespace racebeam

@@ -1,0 +1,119 @@
+// Viewer: a show that runs, with what the keys make of it. Knows no window and no clock.
+//
+// Whoever has both tells it how much time has passed, shows its picture and plays its sound.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tb/show.h"
+#include "tb/view/frame_sound.h"
+#include "tb/view/frame_source.h"
+#include "tb/view/free_flight.h"
+#include "tb/view/scene_watch.h"
+#include "tb/view/view_control.h"
+#include "tb/view/view_picture.h"
+#include "tb/view/view_recorder.h"
+
+namespace racebeam {
+
+/// A show that is ready to run: the source refers to the show's tables, and goes before it.
+struct Stage {
+  Show show;
+  knobs k;
+  std::unique_ptr<FrameSource> source;
+};
+
+class Viewer {
+ public:
+  struct Options {
+    int first = 0;              ///< frame
+    std::optional<int> frames;  ///< stop after so many, and leave out none
+    std::string scene_file;     ///< is loaded again when it changes; empty: the built-in demo
+    std::string folder = ".";   ///< for screenshots and GIFs
+    /// Makes the stage for a scene file that has changed. Throws UsageError if that cannot be.
+    std::function<Stage(const Show&)> restage;
+    /// The built-in demo as a scene file, in which the camera can leave its path. Throws
+    /// UsageError.
+    std::function<Show()> demo_file;
+  };
+
+  Viewer(Stage stage, Options options);
+
+  ViewControl control;
+
+  /// `elapsed` seconds have passed. Does what the keys asked for, and simulates what is due; a
+  /// source that is not fast goes on until `in_time` says no. Throws SyncError.
+  void tick(double elapsed, const std::function<bool()>& in_time);
+
+  RgbImage picture() const;
+  std::string title() const;
+  /// For screens that cannot show small letters: the picture with borders, beam and map only, and
+  /// what else would be on it or beside it as lines.
+  RgbImage bare_picture() const;
+  std::vector<std::string> words() const;
+  /// Samples at FrameSound::Rate of the frames since the last call.
+  std::vector<float> take_sound();
+  /// Ends what is being recorded. Returns what was written, or nothing. Throws OutputError.
+  std::string end();
+  /// It goes to a frame that is not whole yet.
+  bool filling() const { return fill_; }
+  /// The user quits.
+  bool quit() const { return quit_; }
+  /// Nothing is left of Options::frames.
+  bool finished() const { return options_.frames && frames_shown_ >= *options_.frames; }
+  /// The picture may have changed since the last call.
+  bool take_changed() { return std::exchange(changed_, false); }
+
+  const FrameSource& source() const { return *stage_.source; }
+  const Show& show() const { return stage_.show; }
+  const std::string& error() const { return error_; }
+  std::optional<Pose> pose() const;
+
+ private:
+  void act(ViewAction action);
+  void look_for_news(double elapsed);
+  void take_news(SceneWatch::News news);
+  void set_stage(Stage stage, int frame);
+  void go_to(int frame);
+  int next_frame() const;
+  void run(double elapsed, const std::function<bool()>& in_time);
+  void show_frames(int frames);
+  bool audible() const;
+  int clocks(int count);
+  void finish_frame();
+  void step_pixel();
+  void toggle_flight();
+  void toggle_recording();
+  void steer();
+  std::string statistics() const;
+  std::string place() const;
+
+  Stage stage_;
+  const Options options_;
+  SceneWatch watch_;
+  ViewRecorder recorder_;
+  FrameSound sound_;
+  std::vector<float> samples_;
+  std::optional<FreeFlight> flight_;
+  int flight_frame_ = 0;  // whose shot is shown in a free flight
+  int sound_frame_ = 0;
+  double budget_ = 0;       // clocks that are due
+  double since_news_ = 0;   // seconds
+  double rate_ = 0;         // frames a second, smoothed
+  double since_frame_ = 0;  // seconds
+  double flight_time_ = 0;  // seconds since the camera was steered
+  int frames_shown_ = 0;
+  bool fill_ = true;  // show the frame to its end, even when paused
+  bool changed_ = true, quit_ = false;
+  std::string error_, note_;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,62 @@
+// The viewer's free flight.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "tb/errors.h"
+#include "tb/golden/golden_camera.h"
+#include "tb/view/viewer.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr double FlightSpeed = 240;    // units a second
+constexpr double TurnSpeed = 340;      // 1/2048 turn a second, by keys
+constexpr double MouseTurn = 0.8;      // 1/2048 turn a pixel
+constexpr double LongestStride = 0.1;  // seconds between two frames of a flight, at most
+
+}  // namespace
+
+void Viewer::toggle_flight() {
+  if (flight_) return go_to(flight_frame_);
+  finish_frame();
+  const int frame = stage_.source->watch().frame();
+  try {
+    if (!stage_.show.scene()) set_stage(options_.restage(options_.demo_file()), frame);
+  } catch (const UsageError& error) {
+    note_ = error.what();
+    return;
+  }
+  if (!stage_.source->can_fly()) {
+    note_ = fmt::format("no free flight at the level {}", stage_.source->level());
+    return;
+  }
+  flight_frame_ = frame;
+  flight_.emplace(*stage_.show.scene(), stage_.show.path()->points[frame],
+                  stage_.show.golden_camera(frame).view(0));
+  control.state.flying = true;
+  fill_ = true;
+}
+
+// By what the keys and the mouse have asked for since the last frame.
+void Viewer::steer() {
+  const double seconds = std::min(std::exchange(flight_time_, 0), LongestStride);
+  const auto motion = control.motion();
+  const auto look = control.take_mouse();
+  flight_->turn(motion.turn * TurnSpeed * seconds + look.right * MouseTurn,
+                motion.tilt * TurnSpeed * seconds + look.down * MouseTurn);
+  const double way = FlightSpeed * seconds;
+  flight_->move(motion.ahead * way, motion.right * way, motion.up * way);
+}
+
+std::optional<Pose> Viewer::pose() const {
+  if (!flight_) return {};
+  return flight_->pose();
+}
+
+}  // namespace racebeam
