@@ -67,6 +67,9 @@ class chip_lines {
   FrameStats take_stats() { return collector_.take(); }
   /// All registers; pwm_sound's only if the sound is wanted.
   const chip_core& registers() const { return chip_; }
+  /// The same, to clock them one by one or to write them; the next run_line() must find them at the
+  /// first clock of a line.
+  chip_core& registers() { return chip_; }
 
  private:
   // All units in every clock: what is rare.

@@ -5,38 +5,9 @@
 #pragma once
 
 #include "sc/line_tracer.h"
+#include "sc/tracer_round.h"
 
 namespace racebeam {
-
-/// The tracer's registers when a round after line_done begins. It has no input but the starving of
-/// the FIFO, so a round that ends where it began repeats until that changes.
-struct tracer_round {
-  subdivider_core subdivider;
-  decision_datapath_core decision_datapath;
-  ray_stepper_core ray_stepper;
-  stacks_core stacks;
-  int clock = -1;
-
-  bool operator==(const tracer_round& other) const {
-    return subdivider == other.subdivider && decision_datapath == other.decision_datapath &&
-           ray_stepper == other.ray_stepper && stacks == other.stacks;
-  }
-};
-
-/// Clocks of whole rounds that may be left out, where a round begins; keeps it for the next time.
-[[gnu::noinline]] inline int repeated_clocks(tracer_round& last, const tracer_round& now,
-                                             int starves_from, int end) {
-  const bool same_input = last.clock >= starves_from || now.clock <= starves_from;
-  int left_out = 0;
-  if (last.clock >= 0 && same_input && now == last) {
-    const int horizon = now.clock < starves_from ? std::min(starves_from, end) : end;
-    const int period = now.clock - last.clock;
-    left_out = (horizon - now.clock) / period * period;
-  }
-  last = now;
-  last.clock += left_out;
-  return left_out;
-}
 
 template <class Knobs, bool Pattern, bool Watch>
 line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& line, int t) {
@@ -137,12 +108,9 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     const auto move = sub.comb(in, k);
     ++depths[sub.sd_q];
     if (InReturn || emit) ++counts.return_clocks;
-    else if (in.second) {
-    } else if (State == StateLeft && sub.idx2_q != sub.i2_q) {
-      ++counts.adjust;
-    } else {
+    else if (State == StateLeft && sub.idx2_q != sub.i2_q) counts.adjust += !in.second;
+    else if (!in.second)
       ++(State == StateLeft ? counts.left : State == StateRight ? counts.right : counts.bisect);
-    }
     if (move.descend) {
       ++counts.descents;
       counts.rooms += place.level_q == 7;

@@ -106,6 +106,8 @@ void verilate(const std::string& switches, const std::string& module, const std:
 
 }  // namespace
 
+std::string rtl_folder() { return (project_folder() / "rtl").string(); }
+
 std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
   std::error_code error;
   fs::path path = program_folder() / "rtl" / (unit + ".so");
@@ -137,7 +139,7 @@ std::vector<std::string> other_parameters(const rtl_model& model, const knobs& k
 
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
                       const std::vector<std::string>& parameters, const std::string& out) {
-  if (sources.empty()) sources = {(project_folder() / "rtl" / (unit + ".sv")).string()};
+  if (sources.empty()) sources = {rtl_folder() + "/" + unit + ".sv"};
   std::string options;
   for (const std::string& parameter : parameters) options += " " + quoted("-G" + parameter);
   verilate("", unit, options, sources, out);

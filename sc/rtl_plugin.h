@@ -12,6 +12,9 @@
 
 namespace racebeam {
 
+/// The folder of this project's RTL: of the sources, or where it is installed.
+std::string rtl_folder();
+
 /// The plug-in of a unit's own RTL in the folder `rtl` beside the program, or, when installed, in
 /// ../lib/racebeam. Where `k` asks for other parameters than it was built with, one with those,
 /// built when it is asked for the first time, in the same folder or

@@ -13,7 +13,7 @@
 //         (write to what is read only, read of what is write only), burst error (length not whole
 //         words, streaming), byte enable error.
 // Reset   by register: one clock in reset before the next line.
-// Test    tests/tlm_chip_test.cpp; tests/tlm_equality_test.cpp
+// Test    tests/tlm_chip_test.cpp, tests/tlm_registers_test.cpp; tests/tlm_equality_test.cpp
 // Source  architecture page "One behaviour, several levels".
 //
 // SPDX-FileCopyrightText: racebeam contributors

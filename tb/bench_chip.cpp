@@ -4,8 +4,14 @@
 
 #include <memory>
 
+#include "sc/rtl_plugin.h"
 #include "tb/bench_process.h"
+#include "tb/plugin_maker.h"
 #include "tb/signal_bench.h"
+#include "tb/spread_frames.h"
+#include "tb/tlm_bench.h"
+#include "tb/tt_chip.h"
+#include "tb/tt_project.h"
 
 namespace racebeam {
 
@@ -22,16 +28,15 @@ constexpr PartRow part_rows[] = {
 };
 constexpr int MixFrame = 5000;  // tunnel
 
-void register_frames(const std::string& name, const std::shared_ptr<SignalBench>& bench, int first,
+void register_frames(const std::string& name, const std::shared_ptr<ChipBench>& bench, int first,
                      const BenchOptions& options) {
   set_up(benchmark::RegisterBenchmark(
              name.c_str(),
              [bench, first, frames = options.frames](benchmark::State& state) {
                const auto before = bench->clocks();
-               for (auto _ : state) {
-                 bench->seek(first);
+               bench->seek(first);
+               for (auto _ : state)
                  for (int f = 0; f < frames; ++f) bench->render();
-               }
                state.counters["clocks"] = benchmark::Counter(
                    static_cast<double>(bench->clocks() - before), benchmark::Counter::kIsRate);
              }),
@@ -79,6 +84,43 @@ void register_parts(const BenchOptions& options) {
   const auto bench = std::make_shared<SignalBench>(SignalBench::Options{});
   for (const auto& part : part_rows)
     register_frames(std::string("signal: ") + part.name, bench, part.first_frame, options);
+}
+
+void register_tlm_parts(const BenchOptions& options) {
+  const auto bench = std::make_shared<TlmBench>(TlmBench::Options{});
+  for (const auto& part : part_rows)
+    register_frames(std::string("tlm: ") + part.name, bench, part.first_frame, options);
+  constexpr int Samples = 100;
+  set_up(benchmark::RegisterBenchmark(
+             "tlm: all over the demo",
+             [bench](benchmark::State& state) {
+               for (auto _ : state)
+                 for (const int frame : spread_frames(DemoFrames, Samples)) {
+                   state.PauseTiming();
+                   bench->seek(frame);
+                   state.ResumeTiming();
+                   bench->render();
+                 }
+               state.counters["clocks"] = benchmark::Counter(
+                   Samples * double(Raster().frame_clocks()), benchmark::Counter::kIsRate);
+             }),
+         options.repeats);
+}
+
+void register_verilated(int repeats) {
+  const TtProject project = read_tt_project(rtl_folder());
+  const auto chip = std::make_shared<TtChip>(make_chip_plugin(project.top, project.sources),
+                                             project.source_folder, 0, 0);
+  chip->reset(1);
+  set_up(benchmark::RegisterBenchmark("verilated: tt_um_racebeam",
+                                      [chip](benchmark::State& state) {
+                                        const int clocks = Raster().frame_clocks();
+                                        std::vector<PinChange> changes;
+                                        for (auto _ : state) chip->run(clocks, changes);
+                                        state.counters["clocks"] =
+                                            benchmark::Counter(clocks, benchmark::Counter::kIsRate);
+                                      }),
+         repeats);
 }
 
 std::vector<ChipMix> chip_mixes() {

@@ -15,8 +15,15 @@ namespace racebeam {
 /// SystemC itself on this machine: the yardstick of the others.
 void register_kernel(int repeats);
 
-/// All models, in each part of the demo.
+/// All models, in each part of the demo: rows "signal: PART".
 void register_parts(const BenchOptions& options);
+
+/// The transaction-level chip: rows "tlm: PART", and "tlm: all over the demo", frames evenly
+/// spread.
+void register_tlm_parts(const BenchOptions& options);
+
+/// The chip's RTL behind Tiny Tapeout pins, verilated, without SystemC: a frame.
+void register_verilated(int repeats);
 
 /// A chip of models and RTL.
 struct ChipMix {

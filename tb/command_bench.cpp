@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "sc/camera_unit.h"
@@ -72,9 +73,19 @@ void register_unit(const UnitRow& row, int repeats) {
          repeats);
 }
 
-/// Name and clocks a second of the median of each benchmark. `rows`: their JSON. With a `base`, in
-/// clocks a second, the ratio to it too; 0: the first row becomes the base.
-void collect(const Json& rows, bool json, Json& all, double* base = nullptr) {
+/// Clocks a second of a row; 0 if there is none of the name.
+double rate_of(const Json& all, const std::string& name) {
+  for (const auto& row : all)
+    if (row.at("name") == name) return row.at("clocks_per_second");
+  return 0;
+}
+
+/// Clocks a second that a row is compared with; 0: with none.
+using Base = std::function<double(const std::string& name, double rate)>;
+
+/// Name and clocks a second of the median of each benchmark. `rows`: their JSON. With a base the
+/// ratio to it too.
+void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
   for (const auto& row : rows) {
     if (row.value("run_type", "") == "aggregate" && row.value("aggregate_name", "") != "median")
       continue;
@@ -84,14 +95,50 @@ void collect(const Json& rows, bool json, Json& all, double* base = nullptr) {
     const std::string label = name.substr(0, name.find('/'));
     const double rate = row.at("clocks").get<double>();
     all.push_back({{"name", label}, {"clocks_per_second", rate}});
-    if (base) {
-      if (*base == 0) *base = rate;
-      all.back()["ratio"] = rate / *base;
-    }
+    const double beside = base ? base(label, rate) : 0;
+    if (beside > 0) all.back()["ratio"] = rate / beside;
     if (json) continue;
     print(fmt::format("{:<34} {:8.2f} M clocks/s", label, rate / 1e6));
-    print(base ? fmt::format("  {:5.2f}\n", rate / *base) : "\n");
+    print(beside > 0 ? fmt::format("  {:5.2f}\n", rate / beside) : "\n");
   }
+}
+
+constexpr const char* Tlm = "tlm: ";
+constexpr const char* Signal = "signal: ";
+constexpr const char* Verilated = "verilated: tt_um_racebeam";
+constexpr double RealTime = 2 * PixelClockHz;  // clocks a second of the chip
+
+/// The chip at three levels. Returns what is known of the slowest part at the level tlm.
+Json run_levels(const BenchOptions& options, Json& all) {
+  collect(run_apart([&] { register_parts(options); }), options.json, all);
+  const auto beside_signal = [&](const std::string& name, double) {
+    return rate_of(all, Signal + name.substr(std::string(Tlm).size()));
+  };
+  collect(run_apart([&] { register_tlm_parts(options); }), options.json, all, beside_signal);
+  collect(run_apart([&] { register_verilated(options.repeats); }), options.json, all);
+  Json worst;
+  for (const auto& row : all) {
+    const std::string name = row.at("name");
+    if (name.rfind(Tlm, 0) != 0) continue;
+    const double rate = row.at("clocks_per_second");
+    if (worst.is_null() || rate < worst.at("clocks_per_second"))
+      worst = {{"part", name.substr(std::string(Tlm).size())},
+               {"clocks_per_second", rate},
+               {"of_real_time", rate / RealTime},
+               {"of_signal", row.value("ratio", 0.0)},
+               {"of_verilated", rate / rate_of(all, Verilated)},
+               {"real_time", rate >= RealTime}};
+  }
+  return worst;
+}
+
+std::string verdict(const Json& worst) {
+  return fmt::format(
+      "tlm is {} in its slowest part, {}: {:.2f} times the chip's {:.1f} M clocks/s, {:.1f} times "
+      "signal, {:.1f} times the verilated top\n",
+      worst.at("real_time").get<bool>() ? "in real time" : "NOT in real time",
+      worst.at("part").get<std::string>(), worst.at("of_real_time").get<double>(), RealTime / 1e6,
+      worst.at("of_signal").get<double>(), worst.at("of_verilated").get<double>());
 }
 
 }  // namespace
@@ -103,13 +150,18 @@ int command_bench(const BenchOptions& options) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw unknown_name("unit", name, known);
 
-  Json all = Json::array();
+  Json all = Json::array(), worst;
   if (options.units.empty()) {
     collect(run_apart([&] { register_kernel(options.repeats); }), options.json, all);
-    collect(run_apart([&] { register_parts(options); }), options.json, all);
-    double models = 0;  // clocks a second, the base of the ratios
+    worst = run_levels(options, all);
+    if (!options.json) print(verdict(worst));
+    double models = 0;  // of the first mix
+    const auto beside_models = [&](const std::string&, double rate) {
+      if (models == 0) models = rate;
+      return models;
+    };
     for (const ChipMix& mix : chip_mixes())
-      collect(run_apart([&] { register_mix(mix, options); }), options.json, all, &models);
+      collect(run_apart([&] { register_mix(mix, options); }), options.json, all, beside_models);
   }
   for (const auto& row : unit_rows)
     if (options.units.empty() ||
@@ -120,7 +172,10 @@ int command_bench(const BenchOptions& options) {
                 {"version", 1},
                 {"repeats", options.repeats},
                 {"medians", all}};
-    if (options.units.empty()) report["frames"] = options.frames;
+    if (options.units.empty()) {
+      report["frames"] = options.frames;
+      report["slowest_tlm"] = worst;
+    }
     print(report.dump(2) + "\n");
   }
   return ExitGood;

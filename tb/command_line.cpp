@@ -165,7 +165,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
       ->type_name("N");
   view->add_option("--level", options.level,
                    "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
-                   "own speed; core without --use")
+                   "own speed; tlm without --use")
       ->type_name("LEVEL")
       ->check(NotEmpty);
   view->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")

@@ -19,9 +19,9 @@
 #include "tb/open_show.h"
 #include "tb/set_knob.h"
 #include "tb/use_option.h"
-#include "tb/view/core_source.h"
 #include "tb/view/signal_source.h"
 #include "tb/view/term_screen.h"
+#include "tb/view/tlm_source.h"
 #include "tb/view/view_window.h"
 
 namespace racebeam {
@@ -38,10 +38,10 @@ void check_range(const char* option, long long value, long long min, long long m
 }
 
 std::string level_of(const ViewOptions& options) {
-  if (options.level.empty()) return options.units.empty() ? "core" : "signal";
-  if (options.level != "core" && options.level != "signal")
-    throw unknown_name("level", options.level, {"core", "signal"});
-  if (options.level == "core" && !options.units.empty())
+  if (options.level.empty()) return options.units.empty() ? "tlm" : "signal";
+  if (options.level != "tlm" && options.level != "signal")
+    throw unknown_name("level", options.level, {"tlm", "signal"});
+  if (options.level == "tlm" && !options.units.empty())
     throw UsageError("--use needs --level signal; leave out --level, or --use");
   return options.level;
 }
@@ -53,11 +53,11 @@ knobs knobs_of(const ViewOptions& options, const Show& show) {
   return k;
 }
 
-Stage core_stage(const ViewOptions& options, const Show& show) {
+Stage tlm_stage(const ViewOptions& options, const Show& show) {
   const knobs k = knobs_of(options, show);
   const SceneFile* scene = show.scene();
   const bool wraps = !scene || scene->wrap || scene->overlap;
-  return {show, k, std::make_unique<CoreSource>(k, show.program(), wraps)};
+  return {show, k, std::make_unique<TlmSource>(k, show.program(), wraps)};
 }
 
 Stage signal_stage(const ViewOptions& options, const Show& show) {
@@ -153,14 +153,14 @@ int command_view(const ViewOptions& options) {
   if (options.scene != BuiltIn) setting.scene_file = options.scene;
   setting.folder = options.folder;
   setting.demo_file = demo_file;
-  const bool core = level == "core";
-  if (core) setting.restage = [&](const Show& changed) { return core_stage(options, changed); };
+  const bool tlm = level == "tlm";
+  if (tlm) setting.restage = [&](const Show& changed) { return tlm_stage(options, changed); };
   else
     setting.restage = [&](const Show& changed) -> Stage {
       knobs_of(options, changed);  // an objection is told, and the old scene goes on
       throw StartAgain{};
     };
-  Stage stage = core ? core_stage(options, show) : signal_stage(options, show);
+  Stage stage = tlm ? tlm_stage(options, show) : signal_stage(options, show);
   auto screen = options.terminal ? open_terminal(!options.frames)
                                  : open_window(static_cast<int>(options.scale));
   Viewer viewer(std::move(stage), setting);

@@ -13,7 +13,7 @@ namespace racebeam {
 /// The command line as it was written.
 struct ViewOptions {
   std::string scene;
-  std::string level;  ///< "core", "signal"; empty: signal if there are units, else core
+  std::string level;  ///< "tlm", "signal"; empty: signal if there are units, else tlm
   std::vector<std::string> assignments, units;
   long long first = 0, scale = 0;
   std::optional<long long> frames;

@@ -19,8 +19,8 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
   if (plan.level == LevelTlm)
     return std::make_unique<TlmBench>(
         TlmBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), maps});
-  return std::make_unique<SignalBench>(SignalBench::Options{
-      plan.k, true, plan.crc, sound, plan.show.program(), plan.units, maps});
+  return std::make_unique<SignalBench>(
+      SignalBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), plan.units, maps});
 }
 
 PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {

@@ -1,5 +1,5 @@
-// chip_lines is the chip: all registers at the end of every line, the pixels, and what an observer
-// is told, against the cores clocked one by one.
+// chip_lines is the chip: all registers at the end of every line, and the pixels, against
+// the cores clocked one by one.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
+#include <string>
+#include <tuple>
 
 #include "tb/demo_parts.h"
 
@@ -142,100 +144,6 @@ TEST(ChipLines, ResetStartsTheDemoAnew) {
     EXPECT_EQ(pair.lines().next_line(), FirstLine);
   }
   ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(FrameLines));
-}
-
-/// Puts the picture together from what it is told.
-struct Witness : chip_observer {
-  std::vector<taken_interval> intervals;
-  std::vector<std::uint8_t> colours = std::vector<std::uint8_t>(VisibleColumns * VisibleRows, 255);
-  int restarts = 0, columns = 0, overlaps = 0;
-  std::uint64_t decisions = 0;
-
-  void interval(const taken_interval& taken) override { intervals.push_back(taken); }
-  void restart(int, int, int) override { ++restarts; }
-  void line_end(int y, int count) override {
-    if (y >= FirstVisibleLine && y < FirstVisibleLine + VisibleRows) decisions += count;
-  }
-  void shown(int y, int column, int count, int colour) override {
-    columns += count;
-    for (int i = 0; i < count; ++i) {
-      auto& pixel = colours[(y - FirstVisibleLine) * VisibleColumns + column + i];
-      overlaps += pixel != 255;
-      pixel = static_cast<std::uint8_t>(colour);
-    }
-  }
-};
-
-class ChipObserved : public testing::TestWithParam<int> {
- protected:
-  ChipObserved() : chip({{}, nullptr, false, false, &witness}) {
-    chip.deposit(GetParam());
-    for (int i = 0; i < FrameLines; ++i) {
-      chip.run_line();
-      if (chip.visible()) picture.insert(picture.end(), chip.pixels().begin(), chip.pixels().end());
-    }
-    stats = chip.take_stats();
-  }
-  Witness witness;
-  chip_lines chip;
-  std::vector<std::uint8_t> picture;
-  FrameStats stats;
-};
-
-INSTANTIATE_TEST_SUITE_P(Frames, ChipObserved, testing::Values(1000, 2600, 3900, 7223, 8980));
-
-TEST_P(ChipObserved, SeesEveryPixelOnce) {
-  EXPECT_EQ(witness.columns, VisibleColumns * VisibleRows);
-  EXPECT_EQ(witness.overlaps, 0);
-  EXPECT_TRUE(witness.colours == picture);
-}
-
-TEST_P(ChipObserved, SeesWhatIsCounted) {
-  std::uint64_t emits = 0, give_ups = 0;
-  for (const taken_interval& i : witness.intervals) {
-    if (i.y < FirstVisibleLine || i.y >= FirstVisibleLine + VisibleRows) continue;
-    ++emits;
-    give_ups += i.given_up;
-  }
-  EXPECT_EQ(emits, stats.emits);
-  EXPECT_EQ(give_ups, stats.give_ups);
-  EXPECT_EQ(witness.decisions, stats.decisions());
-  EXPECT_GE(static_cast<std::uint64_t>(witness.restarts), stats.restarts);
-}
-
-// Intervals of a line follow each other without a gap, in time order, from pixel 0.
-TEST_P(ChipObserved, SeesIntervalsInTheOrderOfPixelsAndClocks) {
-  const taken_interval* last = nullptr;
-  for (const taken_interval& i : witness.intervals) {
-    const bool first = !last || last->y != i.y;
-    ASSERT_EQ(i.first, first ? 0 : last->last + 1) << "line " << i.y;
-    ASSERT_LE(i.first, i.last);
-    if (!first) {
-      ASSERT_GT(i.clock, last->clock);
-      ASSERT_GE(i.decisions, last->decisions);
-    }
-    last = &i;
-  }
-}
-
-// A frame without starvation: every pixel is known before it is shown, one column further right,
-// in the colour of its interval. Two frames of one palette without an inverse: values are colours.
-TEST(ChipObserver, IntervalsAreWhatIsShownOneColumnFurther) {
-  Witness witness;
-  chip_lines chip({{}, nullptr, false, false, &witness});
-  chip.deposit(1000);
-  for (int i = 0; i < FrameLines; ++i) chip.run_line();
-  ASSERT_EQ(chip.take_stats().starved_pixels, 0u);
-  constexpr int palette[4] = {0, 1, 6, 43};  // contract 15.2
-  for (const taken_interval& i : witness.intervals) {
-    if (i.y < FirstVisibleLine || i.y >= FirstVisibleLine + VisibleRows) continue;
-    for (int pixel = i.first; pixel <= std::min(i.last, LastPixel - 1); ++pixel) {
-      ASSERT_LE(i.clock, chip.column_clock(pixel + 1));
-      ASSERT_EQ(witness.colours[(i.y - FirstVisibleLine) * VisibleColumns + pixel + 1],
-                palette[i.value])
-          << "line " << i.y << " pixel " << pixel;
-    }
-  }
 }
 
 }  // namespace

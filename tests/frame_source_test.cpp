@@ -12,9 +12,9 @@
 #include <numeric>
 
 #include "tb/core_bench.h"
-#include "tb/view/core_source.h"
 #include "tb/view/frame_sound.h"
 #include "tb/view/signal_source.h"
+#include "tb/view/tlm_source.h"
 #include "tests/expect_stats.h"
 
 namespace racebeam {
@@ -26,7 +26,7 @@ class FrameSourceTest : public testing::TestWithParam<const char*> {
  protected:
   const knobs k;
   std::unique_ptr<FrameSource> make() const {
-    if (std::string(GetParam()) == "core") return std::make_unique<CoreSource>(k);
+    if (std::string(GetParam()) == "tlm") return std::make_unique<TlmSource>(k);
     return std::make_unique<SignalSource>(k, nullptr, unit_choices{});
   }
 };
@@ -91,7 +91,7 @@ TEST_P(FrameSourceTest, SeekingInTheMiddleOfAFrameStartsAWholeOne) {
   EXPECT_EQ(source->watch().screen().colours(), bench.picture());
 }
 
-INSTANTIATE_TEST_SUITE_P(Level, FrameSourceTest, testing::Values("core", "signal"),
+INSTANTIATE_TEST_SUITE_P(Level, FrameSourceTest, testing::Values("tlm", "signal"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(BeamScreen, FindsItsPlaceByTheSyncsAlone) {

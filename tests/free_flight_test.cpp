@@ -11,7 +11,7 @@
 #include "tb/core_bench.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/show.h"
-#include "tb/view/core_source.h"
+#include "tb/view/tlm_source.h"
 
 namespace racebeam {
 namespace {
@@ -136,7 +136,7 @@ TEST(FreeFlightOnTheChip, FromThePathItShowsTheFrameOfThePath) {
     const Show show(std::move(result.scene), "test");
     const SceneFile& scene = *show.scene();
     const knobs k = show.standard_knobs();
-    CoreSource source(k, show.program(), scene.wrap || scene.overlap);
+    TlmSource source(k, show.program(), scene.wrap || scene.overlap);
     for (const int frame : {320, 900}) {
       const PathPoint& point = show.path()->points[frame];
       const GoldenView view = show.golden_camera(frame).view(0);
@@ -155,7 +155,7 @@ TEST(FreeFlightOnTheChip, EndsWhereThePathGoesOn) {
   SceneResult result = read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/museum.toml");
   const Show show(std::move(result.scene), "test");
   const knobs k = show.standard_knobs();
-  CoreSource source(k, show.program(), false);
+  TlmSource source(k, show.program(), false);
   source.fly(320, {0, {0, 0, 0}, 0, 0, 96});
   source.advance(source.clocks_left());
   source.seek(480);

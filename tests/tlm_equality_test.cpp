@@ -95,5 +95,33 @@ TEST_P(TlmKnobs, HasThePixelsPinsAndCountersOfTheCores) {
 
 INSTANTIATE_TEST_SUITE_P(Random, TlmKnobs, testing::Range(1, 31));
 
+class TlmSound : public testing::TestWithParam<int> {};
+
+// Two frames in a row, then one from elsewhere: the sound goes on.
+TEST_P(TlmSound, IsThePinOfTheCoresSampleBySample) {
+  knobs k;
+  k.speed = GetParam();
+  TlmBench bench({k, false, false, true});
+  SoundMonitor pin;
+  pin.change(0, true);
+  chip_core chip;
+  chip.clock(false, k);
+  std::uint64_t clock = 0;
+  int frame = 0;
+  for (const int next : {3000, 3001, 9000}) {
+    bench.seek(next);
+    bench.render();
+    if (next != frame) chip.deposit(next, k);
+    frame = next + 1;
+    const int frame_clocks = Raster(2, k.speed).frame_clocks();
+    for (int i = 0; i < frame_clocks; ++i, ++clock) pin.change(clock, chip.clock(true, k).pwm);
+    pin.advance(clock);
+  }
+  EXPECT_EQ(bench.clocks(), clock);
+  EXPECT_TRUE(bench.sound()->samples() == pin.samples());
+}
+
+INSTANTIATE_TEST_SUITE_P(Speeds, TlmSound, testing::Values(0, 3, 7));
+
 }  // namespace
 }  // namespace racebeam

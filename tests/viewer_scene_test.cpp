@@ -11,7 +11,7 @@
 #include "tb/core_bench.h"
 #include "tb/errors.h"
 #include "tb/scene/scene_reader.h"
-#include "tb/view/core_source.h"
+#include "tb/view/tlm_source.h"
 #include "tb/view/viewer.h"
 #include "tests/scratch_folder.h"
 
@@ -40,7 +40,7 @@ bool in_time() { return true; }
 
 Stage stage_of(const Show& show) {
   const knobs k = show.standard_knobs();
-  return {show, k, std::make_unique<CoreSource>(k, show.program(), false)};
+  return {show, k, std::make_unique<TlmSource>(k, show.program(), false)};
 }
 
 class ViewerSceneTest : public testing::Test {

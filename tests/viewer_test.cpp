@@ -10,8 +10,8 @@
 
 #include "tb/core_bench.h"
 #include "tb/errors.h"
-#include "tb/view/core_source.h"
 #include "tb/view/map_picture.h"
+#include "tb/view/tlm_source.h"
 
 namespace racebeam {
 namespace {
@@ -26,7 +26,7 @@ class ViewerTest : public testing::Test {
  protected:
   static Stage demo() {
     const Show show;
-    return {show, knobs{}, std::make_unique<CoreSource>(knobs{})};
+    return {show, knobs{}, std::make_unique<TlmSource>(knobs{})};
   }
   static Viewer::Options at(int first) {
     Viewer::Options options;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tb/raster.h"
@@ -22,6 +23,12 @@ class BeamScreen {
 
   /// Stands before the first clock of line -273 again; the picture stays.
   void home() { y_ = FirstLine, clock_ = 0, started_ = false; }
+
+  /// A whole picture of a frame, shown at once; the beam stands before the next.
+  void show(std::vector<std::uint8_t> colours) {
+    colours_ = std::move(colours);
+    home();
+  }
 
   /// The pins of the next clock.
   void clock(int uo);

@@ -23,7 +23,7 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  /// "core", "signal".
+  /// "tlm", "signal".
   virtual const char* level() const = 0;
   /// Simulates frames at about the pace of the show: frames that come too late may be left out.
   /// Else every clock is shown as it comes.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/view/frame_watch.h"
 
+#include <utility>
+
 namespace racebeam {
 
 void FrameWatch::clock(int uo, const chip_view& view, int room, int face) {
@@ -11,6 +13,16 @@ void FrameWatch::clock(int uo, const chip_view& view, int room, int face) {
   screen_.clock(uo);
   collector_.observe(view);
   watcher_.observe(view, room, face);
+}
+
+void FrameWatch::frame(std::vector<std::uint8_t> colours, std::vector<IntervalEvent> intervals,
+                       FrameStats stats, const chip_view& last) {
+  seen_ = raster_.frame_clocks();
+  frame_ = last.frame;
+  now_ = last;
+  screen_.show(std::move(colours));
+  collector_.stats() = std::move(stats);
+  watcher_.put(std::move(intervals));
 }
 
 void FrameWatch::restart() {

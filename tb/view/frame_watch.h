@@ -20,6 +20,10 @@ class FrameWatch {
 
   /// The next clock: the pins, the settled wires, room and hit face of decision_datapath.
   void clock(int uo, const chip_view& view, int room, int face);
+  /// A whole frame at once, before its first clock: its colours, 640 x 480; what its clocks would
+  /// have told; the wires of its last clock.
+  void frame(std::vector<std::uint8_t> colours, std::vector<IntervalEvent> intervals,
+             FrameStats stats, const chip_view& last);
   /// The next clock is the first of a frame, wherever the last one was; the picture stays.
   void restart();
 

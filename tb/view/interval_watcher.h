@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sc/chip_view.h"
@@ -16,6 +17,9 @@ class IntervalWatcher {
   /// One settled clock, in order, from the first clock of a line on; `room` and `face` are those of
   /// decision_datapath (room_o, hit_face_o).
   void observe(const chip_view& v, int room, int face);
+
+  /// What another saw of whole lines, instead of observing them.
+  void put(std::vector<IntervalEvent> events) { events_ = std::move(events); }
 
   /// What was seen since the last call. A line that ended before its last pixel was known ends with
   /// an event of clock Never, which has its rest of pixels and decisions.

@@ -1,21 +1,25 @@
-// CoreSource: the cores in one loop as the source of frames; can be flown freely.
+// TlmSource: the cores of the tlm level as the source of frames: whole ones line by line, others
+// clock by clock. Can be flown freely.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sc/chip_core.h"
+#include <optional>
+
+#include "sc/chip_lines.h"
 #include "tb/view/frame_source.h"
+#include "tb/view/interval_log.h"
 
 namespace racebeam {
 
-class CoreSource : public FrameSource {
+class TlmSource : public FrameSource {
  public:
   /// The demo, or a program that fits the knobs and outlives the source. `wraps`: its corners are
   /// meant to wrap at the knob's width, which a free flight must not widen.
-  explicit CoreSource(const knobs& k, const scene_program* program = nullptr, bool wraps = true);
+  explicit TlmSource(const knobs& k, const scene_program* program = nullptr, bool wraps = true);
 
-  const char* level() const override { return "core"; }
+  const char* level() const override { return "tlm"; }
   bool fast() const override { return true; }
   const FrameWatch& watch() const override { return watch_; }
   void seek(int frame) override;
@@ -25,12 +29,15 @@ class CoreSource : public FrameSource {
 
  private:
   void restart();
+  chip_core& chip() { return lines_->registers(); }
+  void run_frame();
 
   const knobs knobs_;
   const scene_program* const program_;
   const bool wraps_;
   knobs now_;  // wider in a free flight
-  chip_core chip_;
+  IntervalLog log_;
+  std::optional<chip_lines> lines_;
   FrameWatch watch_;
   bool flying_ = false;
 };
