@@ -162,7 +162,7 @@ TEST(FrameMaps, SignalLevelTellsOfTheSameIntervalsAsTheCores) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Demo, FrameMapsTest, testing::Values(60, 1000, 2432, 7223));
+INSTANTIATE_TEST_SUITE_P(Demo, FrameMapsTest, testing::Values(1000, 2432, 7223));
 
 }  // namespace
 }  // namespace racebeam
