@@ -163,12 +163,10 @@ TEST_F(CliViewTest, MistakesEndWithTwoAndSayWhatToDo) {
       {{"dmo"}, "demo"},
       {{"demo", "--first", "12799"}, "0..12798"},
       {{"demo", "--frames", "0"}, "1.."},
-      {{"demo", "--scale", "9"}, "0..8"},
       {{"demo", "--level", "signel"}, "signal"},
       {{"demo", "--level", "core", "--use", "stacks=rtl"}, "leave out --level"},
       {{"demo", "--use", "stack=rtl"}, "stacks"},
       {{"demo", "--set", "fifo_entries=1"}, "3..64"},
-      {{"demo", "--set", "corner_bits=13"}, "at most 12"},
       {{"demo", "--keys", "1 spce"}, "space"},
       {{"demo", "--frames", "1", "--keys", "o", "-o", "/dev/null/shots"}, "cannot write"},
   };

@@ -51,6 +51,7 @@ class XServer {
     close(pipe_ends[0]);
     if (display == ":") throw std::runtime_error("Xvfb does not start; see scripts/setup");
     setenv("DISPLAY", display.c_str(), 1);
+    if (xdotool("version").empty()) throw std::runtime_error("no xdotool; see scripts/setup");
   }
   ~XServer() {
     kill(pid_, SIGTERM);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <set>
 
 #include "sc/constants.h"
@@ -40,6 +41,10 @@ class Window : public ViewScreen {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+    if (unseen() && !driver_asked_for()) {
+      SDL_SetError("there is no display");
+      fail("no window can be opened");
+    }
     SDL_EnableScreenSaver();
     scale_ = scale > 0 ? scale : best_scale();
     window_ = SDL_CreateWindow("racebeam", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
@@ -70,6 +75,15 @@ class Window : public ViewScreen {
     SDL_Quit();
     throw MissingTool(std::string(what) + ": " + reason +
                       "; set DISPLAY, or watch in the terminal: racebeam view --term");
+  }
+  // Without a display SDL may take a driver that draws into memory.
+  static bool unseen() {
+    const std::string driver = SDL_GetCurrentVideoDriver();
+    return driver == "offscreen" || driver == "dummy";
+  }
+  static bool driver_asked_for() {
+    const char* driver = std::getenv("SDL_VIDEODRIVER");
+    return driver != nullptr && *driver != '\0';
   }
   static int best_scale() {
     SDL_Rect desk;
