@@ -164,7 +164,7 @@ TEST_F(CliViewTest, MistakesEndWithTwoAndSayWhatToDo) {
       {{"demo", "--first", "12799"}, "0..12798"},
       {{"demo", "--frames", "0"}, "1.."},
       {{"demo", "--level", "signel"}, "signal"},
-      {{"demo", "--level", "core", "--use", "stacks=rtl"}, "leave out --level"},
+      {{"demo", "--level", "tlm", "--use", "stacks=rtl"}, "leave out --level"},
       {{"demo", "--use", "stack=rtl"}, "stacks"},
       {{"demo", "--set", "fifo_entries=1"}, "3..64"},
       {{"demo", "--keys", "1 spce"}, "space"},

@@ -94,13 +94,13 @@ TEST_P(FrameSourceTest, SeekingInTheMiddleOfAFrameStartsAWholeOne) {
 INSTANTIATE_TEST_SUITE_P(Level, FrameSourceTest, testing::Values("tlm", "signal"),
                          [](const auto& info) { return std::string(info.param); });
 
-TEST(CoreSource, ShowsTheFrameAtAnyClocksAPixelAndAnySpeed) {
+TEST(TlmSource, ShowsTheFrameAtAnyClocksAPixelAndAnySpeed) {
   for (const auto& [clocks_per_pixel, speed] :
        {std::pair{1, 0}, std::pair{3, 0}, std::pair{2, 7}}) {
     knobs k;
     k.clocks_per_pixel = clocks_per_pixel;
     k.speed = speed;
-    CoreSource source(k);
+    TlmSource source(k);
     source.seek(6200);
     for (int frame = 0; frame < 2; ++frame) source.advance(source.clocks_left());
     EXPECT_EQ(source.watch().frame(), 6201);
