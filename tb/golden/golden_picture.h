@@ -32,6 +32,13 @@ struct GoldenHit {
 /// Hits of all pixels of a line.
 using GoldenHits = std::array<GoldenHit, VisibleColumns>;
 
+/// Where a ray ends: the wall, and the room that it stands in.
+struct GoldenEnd {
+  GoldenHit hit;
+  int room;   ///< index in GoldenWorld::rooms
+  int depth;  ///< rooms entered on the way to it
+};
+
 /// 640 x 480 colours, row by row, r * 16 + g * 4 + b.
 using GoldenPicture = std::vector<std::uint8_t>;
 

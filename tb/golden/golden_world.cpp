@@ -72,7 +72,7 @@ class Explorer {
     std::vector<GoldenRoom> rooms;
     while (rooms.size() < found_.size()) {
       const Found here = found_[rooms.size()];
-      GoldenRoom room{places_.half_size(here.id), here.position, {}};
+      GoldenRoom room{places_.half_size(here.id), here.position, {}, here.id};
       for (int axis = 0; axis < 3 && here.depth < room_depth_; ++axis)
         for (const bool negative : {false, true})
           for (const int next : places_.neighbours(here.id, axis, negative))

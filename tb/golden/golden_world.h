@@ -26,6 +26,7 @@ struct GoldenRoom {
   vec3 position;   ///< of the centre, from the camera
   /// By golden_face(): rooms behind the face, in the order in which a ray tries their openings.
   std::array<std::vector<int>, FaceCount> neighbours;
+  int id = 0;  ///< the chip's number of the room, or the scene file's
 };
 
 /// Index of the face at which a ray leaves along an axis.

@@ -64,20 +64,35 @@ class Ray {
   vec3 sign_, size_;
 };
 
-}  // namespace
+constexpr int None = -1;
 
-GoldenHit trace_2(const GoldenWorld& world, const vec3& dr, int offset_z) {
+/// Calls enter(room) for each room that the ray enters.
+template <class Enter>
+GoldenHit follow(const GoldenWorld& world, const vec3& dr, int offset_z, const Enter& enter) {
   const Ray ray(world, dr, offset_z);
   const GoldenRoom* room = &world.rooms.front();
   for (int depth = 0;; ++depth) {
     const int face = ray.exit(*room);
-    const GoldenRoom* entered = nullptr;
+    int entered = None;
     if (depth < world.room_depth)
       for (const int next : room->neighbours[golden_face(face, ray.negative(face))])
-        if (!entered && ray.enters(world.rooms[next], face)) entered = &world.rooms[next];
-    if (!entered) return {face, ray.negative(face)};
-    room = entered;
+        if (entered == None && ray.enters(world.rooms[next], face)) entered = next;
+    if (entered == None) return {face, ray.negative(face)};
+    room = &world.rooms[entered];
+    enter(entered);
   }
+}
+
+}  // namespace
+
+GoldenHit trace_2(const GoldenWorld& world, const vec3& dr, int offset_z) {
+  return follow(world, dr, offset_z, [](int) {});
+}
+
+GoldenWay trace_2_way(const GoldenWorld& world, const vec3& dr, int offset_z) {
+  std::vector<int> rooms = {0};
+  const GoldenHit hit = follow(world, dr, offset_z, [&](int room) { rooms.push_back(room); });
+  return {hit, rooms};
 }
 
 GoldenHits trace_2_line(const GoldenWorld& world, const GoldenRays& rays, int y) {

@@ -10,12 +10,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "tb/golden/golden_picture.h"
 
 namespace racebeam {
 
 /// What the ray `dr` hits in a world whose rooms are moved by `offset_z`.
 GoldenHit trace_2(const GoldenWorld& world, const vec3& dr, int offset_z);
+
+/// The rooms on the way of the ray, indices in GoldenWorld::rooms: from the camera's to the one in
+/// whose wall it ends; and that wall.
+struct GoldenWay {
+  GoldenHit hit;
+  std::vector<int> rooms;
+};
+GoldenWay trace_2_way(const GoldenWorld& world, const vec3& dr, int offset_z);
 
 /// All pixels of line `y`.
 GoldenHits trace_2_line(const GoldenWorld& world, const GoldenRays& rays, int y);

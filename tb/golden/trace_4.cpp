@@ -43,8 +43,9 @@ class LineTracer {
     Waiting now{{}, LastPixel};
     for (int first = 0;;) {
       descend(now, first, entries);
-      std::fill(hits.begin() + first, hits.begin() + now.last + 1,
-                GoldenHit{now.node.face, (now.node.signs >> now.node.face & 1) != 0});
+      const GoldenHit hit{now.node.face, (now.node.signs >> now.node.face & 1) != 0};
+      std::fill(ends.begin() + first, ends.begin() + now.last + 1,
+                GoldenEnd{hit, now.node.left, now.node.depth - 1});
       ++work.intervals;
       first = now.last + 1;
       if (first > LastPixel) return;
@@ -52,7 +53,7 @@ class LineTracer {
     }
   }
 
-  GoldenHits hits;
+  std::array<GoldenEnd, VisibleColumns> ends;
   TraceWork work;
 
  private:
@@ -163,9 +164,17 @@ class LineTracer {
 }  // namespace
 
 GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y) {
+  const auto ends = trace_4_ends(world, rays, y);
+  GoldenHits hits;
+  std::transform(ends.begin(), ends.end(), hits.begin(), [](const GoldenEnd& e) { return e.hit; });
+  return hits;
+}
+
+std::array<GoldenEnd, VisibleColumns> trace_4_ends(const GoldenWorld& world, const GoldenRays& rays,
+                                                   int y) {
   LineTracer tracer(world, rays, y);
   tracer.trace(NoLimit);
-  return tracer.hits;
+  return tracer.ends;
 }
 
 TraceWork trace_4_work(const GoldenWorld& world, const GoldenRays& rays, int y, int entries) {

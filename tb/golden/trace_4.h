@@ -17,6 +17,10 @@ namespace racebeam {
 /// All pixels of line `y`.
 GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y);
 
+/// The same with the rooms.
+std::array<GoldenEnd, VisibleColumns> trace_4_ends(const GoldenWorld& world, const GoldenRays& rays,
+                                                   int y);
+
 /// How often the tracer does what costs the chip clocks.
 struct TraceWork {
   int questions = 0;  ///< asked at both ends of an interval
