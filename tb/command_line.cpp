@@ -10,6 +10,7 @@
 
 #include "tb/command_bench.h"
 #include "tb/command_doctor.h"
+#include "tb/command_explain.h"
 #include "tb/command_knobs.h"
 #include "tb/command_render.h"
 #include "tb/command_scene.h"
@@ -189,6 +190,26 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_flag("--paused", options.paused, "Start with the first frame, and wait for keys");
 }
 
+void add_explain(CLI::App& app, ExplainOptions& options) {
+  CLI::App* explain = app.add_subcommand(
+      "explain", "Why a pixel is as it is: its interval, the wall it hits, the clocks it took");
+  explain->add_option("scene", options.scene, "demo, or a scene file")
+      ->required()
+      ->type_name("SCENE");
+  explain->add_option("--frame", options.frame, "Frame of the scene, from 0")
+      ->required()
+      ->type_name("F");
+  explain
+      ->add_option("--pixel", options.pixel,
+                   "Pixel of the picture: 0..639,0..479 from the top left")
+      ->required()
+      ->type_name("X,Y");
+  explain->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  explain->add_flag("--json", options.json, "JSON on stdout instead of the text");
+}
+
 int run_scene(const CLI::App& app, const SceneOptions& options) {
   const std::string command = app.get_subcommands().front()->get_name();
   if (command == "check") return command_scene_check(options);
@@ -243,6 +264,7 @@ int run_command_line(int argc, char** argv) {
   VerifyOptions verify;
   SceneOptions scene;
   ViewOptions view;
+  ExplainOptions explain;
   bool json = false;
   add_render(app, render);
   app.add_subcommand("knobs", "List what --set may change")
@@ -251,6 +273,7 @@ int run_command_line(int argc, char** argv) {
   add_verify(app, verify);
   add_scene(app, scene);
   add_view(app, view);
+  add_explain(app, explain);
   app.add_subcommand("doctor", "Check the machine and list versions")
       ->add_flag("--json", json, "JSON on stdout instead of the text");
   try {
@@ -266,6 +289,7 @@ int run_command_line(int argc, char** argv) {
   if (app.got_subcommand("doctor")) return command_doctor(json);
   if (app.got_subcommand("verify")) return command_verify(verify);
   if (app.got_subcommand("view")) return command_view(view);
+  if (app.got_subcommand("explain")) return command_explain(explain);
   if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("scene")) return run_scene(*app.get_subcommand("scene"), scene);
   render.command.assign(argv, argv + argc);
