@@ -5,6 +5,8 @@
 #       PLUGIN is the plug-in's path, and the target `rtl` of all of them
 #   racebeam::racebeam
 #       the program: racebeam verify <unit>=<plug-in>
+#   racebeam::hardware
+#       the SystemC chip as a library: #include <sc/tlm_chip.h> in a virtual platform, <sc/chip.h>
 #
 # The first file of SOURCES has the module <unit>, with the ports of sc/<unit>.h.
 #
@@ -23,6 +25,21 @@ get_filename_component(RACEBEAM_PROGRAM ${RACEBEAM_FOLDER}/../../bin/racebeam AB
 if(EXISTS ${RACEBEAM_PROGRAM} AND NOT TARGET racebeam::racebeam)
   add_executable(racebeam::racebeam IMPORTED)
   set_target_properties(racebeam::racebeam PROPERTIES IMPORTED_LOCATION ${RACEBEAM_PROGRAM})
+endif()
+
+get_filename_component(RACEBEAM_LIBRARY ${RACEBEAM_FOLDER}/../../lib/racebeam/libracebeam_hardware.a
+                       ABSOLUTE)
+if(EXISTS ${RACEBEAM_LIBRARY} AND NOT TARGET racebeam::hardware)
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(SYSTEMC REQUIRED IMPORTED_TARGET systemc)
+  add_library(racebeam::hardware STATIC IMPORTED)
+  set_target_properties(
+    racebeam::hardware
+    PROPERTIES IMPORTED_LOCATION ${RACEBEAM_LIBRARY}
+               INTERFACE_INCLUDE_DIRECTORIES ${RACEBEAM_FOLDER}
+               INTERFACE_COMPILE_DEFINITIONS SC_INCLUDE_DYNAMIC_PROCESSES
+               INTERFACE_COMPILE_FEATURES cxx_std_17
+               INTERFACE_LINK_LIBRARIES "PkgConfig::SYSTEMC;${CMAKE_DL_LIBS}")
 endif()
 
 if(NOT TARGET rtl)

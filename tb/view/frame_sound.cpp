@@ -19,16 +19,23 @@ std::vector<float> FrameSound::play(int frame) {
   static const double pull = 1 - std::exp(-2 * Pi * CapacitorHz / Rate);
   std::vector<float> samples;
   samples.reserve(FrameSamples);
-  for (int y = FirstLine; y <= LastLine; ++y)
+  for (int y = FirstLine; y <= LastLine; ++y) {
+    bool level = core_.comb().pwm;
+    run_sound_line(core_, raster_, 0, y, frame, changes_);
+    auto change = changes_.begin();
     for (int half = 0; half < 2; ++half) {
+      const int end = (half + 1) * HalfLine;
       int high = 0;
-      for (int i = 0; i < HalfLine; ++i) {
-        high += core_.comb().pwm;
-        core_.clock({true, 0, 2 * FirstPosition + half * HalfLine + i, y, frame});
+      for (int clock = end - HalfLine; clock < end;) {
+        const bool changes = change != changes_.end() && change->clock < end;
+        const int until = changes ? change->clock : end;
+        high += level ? until - clock : 0;
+        clock = until;
+        if (changes) level = change++->level;
       }
-      const double level = 2.0 * high / HalfLine - 1;
-      samples.push_back(static_cast<float>(level));
+      samples.push_back(static_cast<float>(2.0 * high / HalfLine - 1));
     }
+  }
   // A coupling capacitor, charged beforehand.
   if (!started_) mean_ = std::accumulate(samples.begin(), samples.end(), 0.0) / FrameSamples;
   started_ = true;

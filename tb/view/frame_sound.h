@@ -1,8 +1,8 @@
 // FrameSound: the sound pin of whole frames, without the rest of the chip.
 //
 // The sound depends on the frame counter alone, so a viewer that leaves out frames can play it
-// whole: pwm_sound's own core is clocked by a raster, as the chip clocks it, and each of its
-// pulses becomes the mean level of its half line.
+// whole: pwm_sound's own core runs line by line, and each of its pulses becomes the mean level of
+// its half line.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "sc/pwm_sound.h"
+#include "sc/sound_line.h"
 
 namespace racebeam {
 
@@ -22,7 +22,9 @@ class FrameSound {
   std::vector<float> play(int frame);
 
  private:
+  const line_raster raster_{knobs{}};
   pwm_sound_core core_;
+  std::vector<pwm_change> changes_;
   double mean_ = 0;
   bool started_ = false;
 };
