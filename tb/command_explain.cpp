@@ -9,7 +9,8 @@
 
 #include "tb/console.h"
 #include "tb/errors.h"
-#include "tb/explain/explanation.h"
+#include "tb/explain/explain_json.h"
+#include "tb/explain/explain_text.h"
 #include "tb/open_show.h"
 #include "tb/set_knob.h"
 

@@ -9,8 +9,10 @@
 
 #include "sc/chip_lines.h"
 #include "sc/subdivider_core.h"
-#include "tb/explain/explanation.h"
+#include "tb/explain/explain_json.h"
+#include "tb/explain/explain_text.h"
 #include "tb/explain/line_watcher.h"
+#include "tb/explain/step_text.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/view/interval_log.h"
 

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "tb/explain/explain_json.h"
+
 #include <nlohmann/json.hpp>
 
-#include "tb/explain/explanation.h"
+#include "tb/explain/step_text.h"
 #include "tb/knobs_json.h"
 
 namespace racebeam {

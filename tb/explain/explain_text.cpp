@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "tb/explain/explain_text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sc/subdivider_core.h"
-#include "tb/explain/explanation.h"
+#include <algorithm>
+
+#include "tb/explain/step_text.h"
 
 namespace racebeam {
 

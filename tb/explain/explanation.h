@@ -61,23 +61,6 @@ struct Explanation {
   bool still_offered() const;  // when the line ended
 };
 
-/// "south -z": the face of a room by which a ray leaves it.
-std::string face_text(int axis, bool negative);
-/// "LEFT", "RIGHT", "BISECT", "RETURN".
-const char* state_name(int state);
-/// "solid", "missed", "too_deep", "given_up", "never".
-const char* end_name(IntervalEnd end);
-/// What is asked at a place in the tree: "far edge in x"; and what was answered: "inside".
-std::string question_text(const TracerStep& step);
-std::string answer_text(const TracerStep& step);
-/// What came of a step: "descend", "push", "emit", "wait", "climb", "pop", "restart" ...
-std::vector<std::string> outcomes(const TracerStep& step);
-
-/// The explanation for people, a table of all steps at its end. `repeat` is the command line's
-/// scene and knobs, for the command that traces it.
-std::string explain_text(const Explanation& e, const std::string& repeat);
-/// The same as JSON, schema "racebeam-explain" version 1.
-std::string explain_json(const Explanation& e, const knobs& k, const std::string& repeat);
 /// "racebeam trace SCENE --from F:L:C --to F:L:C -o pixel.vcd".
 std::string trace_command(const Explanation& e, const std::string& repeat);
 

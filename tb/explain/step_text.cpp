@@ -1,11 +1,10 @@
-// The words for what happens in a clock of the tracer.
-//
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "tb/explain/step_text.h"
+
 #include <fmt/format.h>
 
 #include "sc/subdivider_core.h"
-#include "tb/explain/explanation.h"
 
 namespace racebeam {
 
