@@ -177,7 +177,7 @@ void camera_unit::seq() {
   } else {
     core_.clock(inputs(), knobs_);
     stepped_.notify(sc_core::SC_ZERO_TIME);
-    asleep_ = core_.run() && !reset();
+    asleep_ = core_.run() && !reset() && !watched_;
   }
   if (asleep_) next_trigger();
   else next_trigger(clk_i->posedge_event());

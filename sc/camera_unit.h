@@ -23,6 +23,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -59,6 +60,19 @@ struct camera_unit_core {
   int source(bool reset, bool stepping) const;
   outputs comb(const inputs& in, const knobs& k) const;
   void clock(const inputs& in, const knobs& k);
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    visit("pass_q", 2, [this] { return pass_q; });
+    visit("phase_q", 2, [this] { return phase_q; });
+    visit("pstage_q", 2, [this] { return pstage_q; });
+    visit("pclk_q", 2, [this] { return pclk_q; });
+    visit("step_seen_q", 1, [this] { return step_seen_q; });
+    visit("psign_q", 3, [this] { return psign_q; });
+    visit("ddr_x_q", k.dr_bits + 1, [this] { return ddr_q[0]; });
+    visit("ddr_y_q", k.dr_bits + 1, [this] { return ddr_q[1]; });
+    visit("ddr_z_q", k.dr_bits + 1, [this] { return ddr_q[2]; });
+  }
 
  private:
   bool finish(bool stepping) const { return phase_q == CameraScale && !stepping && !step_seen_q; }
@@ -99,12 +113,17 @@ class camera_unit_pins : public sc_core::sc_module {
 };
 
 /// The model of camera_unit: its core behind the pins.
-class camera_unit : public camera_unit_pins {
+class camera_unit : public camera_unit_pins, public probed {
  public:
   using pins = camera_unit_pins;
   static constexpr const char* unit_name = "camera_unit";
 
   camera_unit(const sc_core::sc_module_name& name, const knobs& k);
+  /// From now on it stays awake, since step_seen_q follows step_i in Run too, for nobody else.
+  std::vector<probe> probes() const override {
+    watched_ = true;
+    return registers_of(core_, knobs_);
+  }
 
  private:
   void seq();
@@ -117,6 +136,7 @@ class camera_unit : public camera_unit_pins {
   sc_core::sc_event stepped_{"stepped"};
   sc_core::sc_event_or_list work_events_;
   bool asleep_ = false;
+  mutable bool watched_ = false;
 };
 
 }  // namespace racebeam

@@ -98,12 +98,13 @@ class decision_datapath_pins : public sc_core::sc_module {
 };
 
 /// The model of decision_datapath: its core behind the pins.
-class decision_datapath : public decision_datapath_pins {
+class decision_datapath : public decision_datapath_pins, public probed {
  public:
   using pins = decision_datapath_pins;
   static constexpr const char* unit_name = "decision_datapath";
 
   decision_datapath(const sc_core::sc_module_name& name, const knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -12,6 +12,7 @@
 #include "sc/constants.h"
 #include "sc/fixed_point.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 
 namespace racebeam {
 
@@ -117,6 +118,34 @@ struct decision_datapath_core {
     return all(*this) == all(other) && left_far_q == other.left_far_q &&
            left_near_q == other.left_near_q &&
            std::equal(std::begin(shared_q), std::end(shared_q), std::begin(other.shared_q));
+  }
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    visit("depth_q", DepthBits, [this] { return depth_q; });
+    visit("level_q", LevelBits, [this] { return level_q; });
+    visit("room_q", k.free_flight || k.portals_per_face > 1 ? RoomPortBits : RoomBits,
+          [this] { return room_q; });
+    for (int a = 0; a < 3; ++a)
+      visit(element("corner_q", a), k.corner_bits, [this, a] { return corner_q[a]; });
+    visit("face_q", 2, [this] { return face_q; });
+    visit("hit_face_q", 2, [this] { return hit_face_q; });
+    visit("dom_q", 1, [this] { return dom_q; });
+    visit("dom_prev_q", 1, [this] { return dom_prev_q; });
+    visit("wall_q", 1, [this] { return wall_q; });
+    visit("second_q", 1, [this] { return second_q; });
+    visit("descend_q", 1, [this] { return descend_q; });
+    visit("portal_q", PortalBits, [this] { return portal_q; });
+    visit("back_q", PortalBits, [this] { return back_q; });
+    if (!k.skip_shared_edges) return;
+    for (int a = 0; a < 3; ++a) {
+      visit(element("g_shared_edges.left_far_q", a), k.corner_bits,
+            [this, a] { return left_far_q[a]; });
+      visit(element("g_shared_edges.left_near_q", a), k.corner_bits,
+            [this, a] { return left_near_q[a]; });
+    }
+    for (int n = 0; n < 1 << DepthBits; ++n)
+      visit(element("g_shared_edges.shared_q", n), 4, [this, n] { return shared_q[n]; });
   }
 
  private:

@@ -28,6 +28,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -128,6 +129,18 @@ struct interval_fifo_core {
       tail_ptr_q = size + 1;
     }
   }
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    visit("head_len_q", HeadBits, [this] { return head_len_q; });
+    visit("head_value_q", 2, [this] { return head_value_q; });
+    visit("tail_len_q", k.fifo_short_length_bits, [this] { return tail_len_q; });
+    visit("tail_value_q", 2, [this] { return tail_value_q; });
+    visit("tail_ptr_q", count_bits(k.fifo_entries), [this] { return tail_ptr_q; });
+    for (int n = 0; n < queue_size(k); ++n)
+      visit(element("queue_q", n), k.fifo_short_length_bits + 2,
+            [this, n] { return queue_q[n].len_m1 << 2 | queue_q[n].value; });
+  }
 
  private:
   struct head_move {
@@ -175,12 +188,13 @@ class interval_fifo_pins : public sc_core::sc_module {
 };
 
 /// The model of interval_fifo: its core behind the pins.
-class interval_fifo : public interval_fifo_pins {
+class interval_fifo : public interval_fifo_pins, public probed {
  public:
   using pins = interval_fifo_pins;
   static constexpr const char* unit_name = "interval_fifo";
 
   interval_fifo(const sc_core::sc_module_name& name, const knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void start_of_simulation() override { drive(); }

@@ -25,6 +25,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -82,6 +83,20 @@ struct navigator_core {
 
   outputs comb(bool nav_line, const vec3& corner) const;
   void clock(const inputs& in, const knobs& k);
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    visit("nav_state_q", 4, [this] { return nav_state_q; });
+    visit("portal_q", PortalBits, [this] { return portal_q; });
+    const std::string flight = k.free_flight ? "g_free." : "g_along_z.";
+    const int wired = k.free_flight ? 0 : 6;  // bits of x and y that are not stored
+    const int kept = k.navigator_bits - wired;
+    visit(flight + "position_x_q", kept, [this, wired] { return position_q[0] >> wired; });
+    visit(flight + "position_y_q", kept, [this, wired] { return position_q[1] >> wired; });
+    visit(flight + "position_z_q", k.navigator_bits, [this] { return position_q[2]; });
+    if (k.free_flight) visit(flight + "room_q", RoomPortBits, [this] { return room_q; });
+    else visit(flight + "room_j_q", 4, [this] { return room_q >> 4; });
+  }
 
  private:
   void store(const vec3& corner, const knobs& k);
@@ -119,7 +134,7 @@ class navigator_pins : public sc_core::sc_module {
 };
 
 /// The model of navigator: its core behind the pins.
-class navigator : public navigator_pins {
+class navigator : public navigator_pins, public probed {
  public:
   using pins = navigator_pins;
   static constexpr const char* unit_name = "navigator";
@@ -127,6 +142,7 @@ class navigator : public navigator_pins {
   navigator(const sc_core::sc_module_name& name, const knobs& k);
 
   void deposit(const vec3& position, int room) override;
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -30,6 +30,7 @@
 #include <algorithm>
 
 #include "sc/constants.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -94,6 +95,15 @@ struct pwm_sound_core {
   static bool in_sample_b(int x2) { return x2 >= -160; }
   /// The clock in which the PWM counter takes the sum.
   static bool is_new_sample(int x2) { return x2 == -192 || x2 == 608; }
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit) const {
+    visit("pwm_q", 11, [this] { return pwm_q; });
+    visit("sum_q", SumBits, [this] { return sum_q; });
+    visit("phase_q", PhaseBits, [this] { return phase_q; });
+    visit("carry_q", 1, [this] { return carry_q; });
+    visit("negative_q", 1, [this] { return negative_q; });
+  }
 
  private:
   void slot_clock(const inputs& in);
@@ -118,7 +128,7 @@ class pwm_sound_pins : public sc_core::sc_module {
 };
 
 /// The model of pwm_sound: its core behind the pins.
-class pwm_sound : public pwm_sound_pins {
+class pwm_sound : public pwm_sound_pins, public probed {
  public:
   using pins = pwm_sound_pins;
   static constexpr const char* unit_name = "pwm_sound";
@@ -126,6 +136,7 @@ class pwm_sound : public pwm_sound_pins {
   explicit pwm_sound(const sc_core::sc_module_name& name);
 
   const pwm_sound_core& core() const { return core_; }
+  std::vector<probe> probes() const override { return registers_of(core_); }
 
  private:
   void seq();

@@ -22,6 +22,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -75,6 +76,21 @@ struct ray_stepper_core {
   bool operator==(const ray_stepper_core& other) const {
     return dr1_q == other.dr1_q && dr2_q == other.dr2_q && fraction1_q == other.fraction1_q &&
            fraction2_q == other.fraction2_q;
+  }
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    const int fraction = k.stepping == SteppingFraction ? DdrFractionBits : 0;
+    for (int a = 0; a < 3; ++a) {
+      const auto word = [fraction](int dr, int part) {
+        return fraction ? dr * (1 << DdrFractionBits) | part : dr;
+      };
+      const std::string axis = element("g_axis", a);
+      visit(axis + ".dr1_q", k.dr_bits + fraction,
+            [this, a, word] { return word(dr1_q[a], fraction1_q[a]); });
+      visit(axis + ".dr2_q", k.dr_bits + fraction,
+            [this, a, word] { return word(dr2_q[a], fraction2_q[a]); });
+    }
   }
 
  private:
@@ -135,12 +151,13 @@ class ray_stepper_pins : public sc_core::sc_module {
 };
 
 /// The model of ray_stepper: its core behind the pins.
-class ray_stepper : public ray_stepper_pins {
+class ray_stepper : public ray_stepper_pins, public probed {
  public:
   using pins = ray_stepper_pins;
   static constexpr const char* unit_name = "ray_stepper";
 
   ray_stepper(const sc_core::sc_module_name& name, const knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

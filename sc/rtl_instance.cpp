@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/rtl_instance.h"
 
+#include <cstdint>
+#include <cstring>
+
 #include "sc/rtl_plugin.h"
 
 namespace racebeam {
@@ -108,6 +111,19 @@ rtl_instance::value rtl_instance::signal(const std::string& name) const {
   for (int n = 0; n < model().signal_count; ++n)
     if (name == model().signals[n].name) return value(model().signals[n]);
   throw RtlError(std::string("there is no signal ") + name + " in " + model().unit);
+}
+
+std::vector<probe> rtl_instance::probes() const {
+  std::vector<probe> all;
+  for (int n = 0; n < model().signal_count; ++n) {
+    const rtl_port& signal = model().signals[n];
+    all.push_back({signal.name, signal.bits, [&signal] {
+                     std::uint64_t bits = 0;  // the machine's bytes begin with the lowest
+                     std::memcpy(&bits, signal.data, static_cast<std::size_t>(signal.bytes));
+                     return bits;
+                   }});
+  }
+  return all;
 }
 
 void rtl_instance::deposit(const std::string& name, int value) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/rtl_library.h"
 #include "sc/unit.h"
 
@@ -60,6 +61,8 @@ class rtl_instance {
 
   /// A signal inside racebeam_top, such as "u_stacks.sp_i". Throws RtlError.
   value signal(const std::string& name) const;
+  /// All signals inside of RTL that was built with `--signals`; of other RTL none.
+  std::vector<probe> probes() const;
   /// Writes a register inside racebeam_top; to be followed by settle(). Throws RtlError.
   void deposit(const std::string& signal, int value);
 

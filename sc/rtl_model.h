@@ -21,7 +21,7 @@ struct rtl_model {
   const char* parameters;  ///< "Name=value Name=value ": the defaults, then what was set
   const rtl_port* ports;
   int port_count;
-  const rtl_port* signals;  ///< inside, by names such as "u_stacks.sp_i"; of racebeam_top only
+  const rtl_port* signals;  ///< inside, by names such as "u_stacks.sp_i"; where they are public
   int signal_count;
   void* top;
   void (*eval)(void* top);  ///< the inputs have changed

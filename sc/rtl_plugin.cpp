@@ -108,17 +108,21 @@ void verilate(const std::string& switches, const std::string& module, const std:
 
 std::string rtl_folder() { return (project_folder() / "rtl").string(); }
 
-std::string rtl_plugin_path(const std::string& unit, const knobs& k) {
+std::string rtl_plugin_path(const std::string& unit, const knobs& k, bool traced) {
   std::error_code error;
   fs::path path = program_folder() / "rtl" / (unit + ".so");
   const fs::path installed = program_folder() / "../lib/racebeam" / (unit + ".so");
   if (!fs::exists(path, error) && fs::exists(installed, error)) path = installed;
   const std::vector<std::string> other = other_parameters(rtl_library(path.string()).model(), k);
-  if (other.empty()) return path.string();
-  const fs::path variant = folder_beside(path) / (unit + "." + joined(other, ".") + ".so");
+  traced = traced && rtl_library(path.string()).model().signal_count == 0;
+  if (other.empty() && !traced) return path.string();
+  std::vector<std::string> words = {unit};
+  words.insert(words.end(), other.begin(), other.end());
+  if (traced) words.emplace_back("trace");
+  const fs::path variant = folder_beside(path) / (joined(words, ".") + ".so");
   if (!fs::exists(variant, error) ||
       fs::last_write_time(variant, error) < fs::last_write_time(path, error))
-    build_rtl_plugin(unit, {}, other, variant.string());
+    build_rtl_plugin(unit, {}, other, variant.string(), traced);
   return variant.string();
 }
 
@@ -138,11 +142,12 @@ std::vector<std::string> other_parameters(const rtl_model& model, const knobs& k
 }
 
 void build_rtl_plugin(const std::string& unit, std::vector<std::string> sources,
-                      const std::vector<std::string>& parameters, const std::string& out) {
+                      const std::vector<std::string>& parameters, const std::string& out,
+                      bool traced) {
   if (sources.empty()) sources = {rtl_folder() + "/" + unit + ".sv"};
   std::string options;
   for (const std::string& parameter : parameters) options += " " + quoted("-G" + parameter);
-  verilate("", unit, options, sources, out);
+  verilate(traced ? " --signals" : "", unit, options, sources, out);
 }
 
 void build_chip_plugin(const std::string& top, const std::vector<std::string>& sources,

@@ -14,7 +14,7 @@ namespace racebeam {
 
 /// `Unit` is the model whose pins it has.
 template <class Unit>
-class rtl_twin : public Unit::pins {
+class rtl_twin : public Unit::pins, public probed {
  public:
   /// From the plug-in at `path`; the unit's own RTL if that is empty. Throws RtlError.
   explicit rtl_twin(const sc_core::sc_module_name& name, const knobs& k = {},
@@ -32,6 +32,8 @@ class rtl_twin : public Unit::pins {
       this->dont_initialize();
     }
   }
+
+  std::vector<probe> probes() const override { return rtl_.probes(); }
 
   // The back doors of sequencer_pins and navigator_pins.
   void deposit(int frame) {

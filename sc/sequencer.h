@@ -21,6 +21,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -87,6 +88,12 @@ struct sequencer_core {
     if (!in.rst_n || frame_q == DemoFrames) frame_q = 0;
     else frame_q += in.frame_end;
   }
+
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs&) const {
+    visit("frame_q", FrameBits, [this] { return frame_q; });
+  }
 };
 
 /// Pins of sequencer and timeline.
@@ -129,7 +136,7 @@ class sequencer_pins : public sc_core::sc_module {
 };
 
 /// The chip's sequencer.
-class sequencer : public sequencer_pins {
+class sequencer : public sequencer_pins, public probed {
  public:
   using pins = sequencer_pins;
   static constexpr const char* unit_name = "sequencer";
@@ -137,6 +144,7 @@ class sequencer : public sequencer_pins {
   sequencer(const sc_core::sc_module_name& name, const knobs& k);
 
   void deposit(int frame) override;
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -24,6 +24,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -60,6 +61,20 @@ struct stacks_core {
     if (in.push) intervals_q[in.sp] = {in.tag, in.i2};
     if (in.face_write && in.depth < k.face_stack_depth) faces_q[in.depth] = in.face;
   }
+
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    const bool portals = k.portals_per_face > 1;
+    for (int n = 0; n < k.interval_stack_depth; ++n) {
+      visit(element("tags_q", n), portals ? TagPortBits : TagBits,
+            [this, n] { return intervals_q[n].tag; });
+      visit(element("i2s_q", n), PixelBits, [this, n] { return intervals_q[n].i2; });
+    }
+    for (int n = 0; n < k.face_stack_depth; ++n)
+      visit(element("faces_q", n), portals ? FacePortBits : FaceBits,
+            [this, n] { return faces_q[n]; });
+  }
 };
 
 /// Pins of stacks.
@@ -83,12 +98,13 @@ class stacks_pins : public sc_core::sc_module {
 };
 
 /// The model of stacks: its core behind the pins.
-class stacks : public stacks_pins {
+class stacks : public stacks_pins, public probed {
  public:
   using pins = stacks_pins;
   static constexpr const char* unit_name = "stacks";
 
   stacks(const sc_core::sc_module_name& name, const knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -84,12 +84,13 @@ class subdivider_pins : public sc_core::sc_module {
 };
 
 /// The model of subdivider: its core behind the pins.
-class subdivider : public subdivider_pins {
+class subdivider : public subdivider_pins, public probed {
  public:
   using pins = subdivider_pins;
   static constexpr const char* unit_name = "subdivider";
 
   subdivider(const sc_core::sc_module_name& name, const knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -10,6 +10,7 @@
 #include "sc/constants.h"
 #include "sc/fixed_point.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 
 namespace racebeam {
 
@@ -86,6 +87,23 @@ struct subdivider_core {
   [[gnu::always_inline]] bool hit(const inputs& in, const knobs& k) const {
     const bool accept = state_q != StateReturn && idx2_q == i2_q && !emit_done_q;
     return accept && (in.wall || (in.starving && len_m1() <= k.hurry_threshold));
+  }
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    visit("state_q", 2, [this] { return state_q; });
+    visit("i1_q", PixelBits, [this] { return i1_q; });
+    visit("i2_q", PixelBits, [this] { return i2_q; });
+    visit("lo_q", PixelBits, [this] { return lo_q; });
+    visit("hi_q", PixelBits, [this] { return hi_q; });
+    visit("idx2_q", PixelBits, [this] { return idx2_q; });
+    visit("d1_q", 4, [this] { return d1_q; });
+    visit("emit_done_q", 1, [this] { return emit_done_q; });
+    visit("was_return_q", 1, [this] { return was_return_q; });
+    visit("line_done_q", 1, [this] { return line_done_q; });
+    visit("sp_q", k.interval_stack_depth > 1 ? count_bits(k.interval_stack_depth) : 1,
+          [this] { return sp_q; });
+    visit("sd_q", count_bits(k.interval_stack_depth + 1), [this] { return sd_q; });
   }
 
  private:

@@ -22,6 +22,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/probe.h"
 #include "sc/scene_program.h"
 #include "sc/sequencer.h"
 
@@ -47,13 +48,25 @@ struct timeline_core {
   void clock(const inputs& in, const scene_program& program);
   /// The registers as if it had counted to `frame`.
   void seek(int frame, const scene_program& program);
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const scene_program& program) const {
+    visit("frame_q", FrameBits, [this] { return frame_q; });
+    visit("shot_q", count_bits(static_cast<int>(program.shots.size()) + 1),
+          [this] { return shot_q; });
+    for (int t = 0; t < 3; ++t) {
+      const std::string turn = element("g_turn", t);
+      visit(turn + ".value_q", AngleBits, [this, t] { return turns_q[t].value; });
+      visit(turn + ".waited_q", 17, [this, t] { return turns_q[t].waited; });
+    }
+  }
 
  private:
   void next_frame(const scene_program& program);
 };
 
 /// timeline with the table of a program, which must outlive it.
-class timeline : public sequencer_pins {
+class timeline : public sequencer_pins, public probed {
  public:
   using pins = sequencer_pins;
   static constexpr const char* unit_name = "timeline";
@@ -61,6 +74,7 @@ class timeline : public sequencer_pins {
   timeline(const sc_core::sc_module_name& name, const knobs& k, const scene_program& program);
 
   void deposit(int frame) override;
+  std::vector<probe> probes() const override { return registers_of(core_, program_); }
 
  private:
   void seq();

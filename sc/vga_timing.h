@@ -22,6 +22,7 @@
 
 #include "sc/constants.h"
 #include "sc/knobs.h"
+#include "sc/probe.h"
 #include "sc/unit.h"
 
 namespace racebeam {
@@ -100,6 +101,18 @@ struct vga_timing_core {
       v_region_q = (v_region_q + v_step) & 3;
     }
   }
+
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  template <class Visit>
+  void each_register(Visit&& visit, const knobs& k) const {
+    visit("h_region_q", 2, [this] { return h_region_q; });
+    visit("v_region_q", 2, [this] { return v_region_q; });
+    visit("h_pos_q", 10, [this] { return h_pos_q; });
+    visit("v_pos_q", 10, [this] { return v_pos_q; });
+    visit("half_q", k.clocks_per_pixel > 2 ? count_bits(k.clocks_per_pixel) : 1,
+          [this] { return half_q; });
+    visit("vs_q", 1, [this] { return vs_q; });
+  }
 };
 
 /// Pins of vga_timing.
@@ -129,12 +142,13 @@ class vga_timing_pins : public sc_core::sc_module {
 };
 
 /// The model of vga_timing: its core behind the pins.
-class vga_timing : public vga_timing_pins {
+class vga_timing : public vga_timing_pins, public probed {
  public:
   using pins = vga_timing_pins;
   static constexpr const char* unit_name = "vga_timing";
 
   vga_timing(const sc_core::sc_module_name& name, const knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -14,6 +14,7 @@
 #include "tb/command_knobs.h"
 #include "tb/command_render.h"
 #include "tb/command_scene.h"
+#include "tb/command_trace.h"
 #include "tb/command_verify.h"
 #include "tb/command_view.h"
 #include "tb/console.h"
@@ -210,6 +211,43 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
   explain->add_flag("--json", options.json, "JSON on stdout instead of the text");
 }
 
+void add_trace(CLI::App& app, TraceOptions& options) {
+  CLI::App* trace =
+      app.add_subcommand("trace", "Write the chip's signals as a waveform, or compare two");
+  trace->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+  const auto text = [&](const char* name, std::string& to, const char* type, const char* help) {
+    trace->add_option(name, to, help)->type_name(type)->check(NotEmpty);
+  };
+  const auto list = [&](const char* name, std::vector<std::string>& to, const char* type,
+                        const char* help) {
+    trace->add_option(name, to, help)->type_name(type)->allow_extra_args(false);
+  };
+  text("-o,--output", options.output, "FILE",
+       "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it");
+  text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
+  text("--to", options.to, "FRAME:LINE[:CLOCK]", "Last clock; without CLOCK the line's last");
+  text(
+      "--around", options.around, "TRIGGER",
+      "first-starved, first-restart or max-stack instead: looked for in the frame of --from, 0, or "
+      "up to --to");
+  trace->add_option("--lines", options.lines, "Lines before and after the one of --around")
+      ->type_name("N")
+      ->capture_default_str();
+  list("--scope", options.scopes, "GLOB",
+       "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
+       "repeatable");
+  trace->add_option("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
+      ->type_name("N")
+      ->capture_default_str();
+  list("--set", options.assignments, "KNOB=VALUE", "Set a knob (`racebeam knobs`); repeatable");
+  list("--use", options.units, "UNIT=IMPLEMENTATION",
+       "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
+  trace->add_option("--diff", options.diff, "Instead of a scene: compare two files")
+      ->type_name("A.vcd B.vcd")
+      ->expected(2);
+  trace->add_flag("--shared", options.shared, "With --diff: only signals that both files have");
+}
+
 int run_scene(const CLI::App& app, const SceneOptions& options) {
   const std::string command = app.get_subcommands().front()->get_name();
   if (command == "check") return command_scene_check(options);
@@ -265,6 +303,7 @@ int run_command_line(int argc, char** argv) {
   SceneOptions scene;
   ViewOptions view;
   ExplainOptions explain;
+  TraceOptions trace;
   bool json = false;
   add_render(app, render);
   app.add_subcommand("knobs", "List what --set may change")
@@ -274,6 +313,7 @@ int run_command_line(int argc, char** argv) {
   add_scene(app, scene);
   add_view(app, view);
   add_explain(app, explain);
+  add_trace(app, trace);
   app.add_subcommand("doctor", "Check the machine and list versions")
       ->add_flag("--json", json, "JSON on stdout instead of the text");
   try {
@@ -290,6 +330,7 @@ int run_command_line(int argc, char** argv) {
   if (app.got_subcommand("verify")) return command_verify(verify);
   if (app.got_subcommand("view")) return command_view(view);
   if (app.got_subcommand("explain")) return command_explain(explain);
+  if (app.got_subcommand("trace")) return command_trace(trace);
   if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("scene")) return run_scene(*app.get_subcommand("scene"), scene);
   render.command.assign(argv, argv + argc);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "sc/rtl_plugin.h"
 #include "sc/unit_choices.h"
@@ -72,6 +73,16 @@ LockstepDifference Lockstep::difference(std::size_t output, int expected, int go
   for (std::uint64_t clock = first; clock <= clocks_; ++clock)
     d.history.push_back(history_[clock % history_.size()]);
   return d;
+}
+
+std::vector<probe> Lockstep::probes() const {
+  std::vector<probe> all;
+  for (const auto& output : rtl_.outputs())
+    all.push_back({output.rtl.name(), output.rtl.bits(), [rtl = output.rtl] {
+                     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(rtl.read()));
+                   }});
+  for (probe& inside : rtl_.probes()) all.push_back(std::move(inside));
+  return all;
 }
 
 void Lockstep::invert(const std::string& port, int bit, std::uint64_t clock) {

@@ -41,7 +41,7 @@ struct LockstepDifference {
   std::string vcd(int period) const;
 };
 
-class Lockstep : public sc_core::sc_module {
+class Lockstep : public sc_core::sc_module, public probed {
  public:
   in_port<1> clk_i{"clk_i"};
 
@@ -58,6 +58,11 @@ class Lockstep : public sc_core::sc_module {
   /// Clocks in which some output differed.
   std::uint64_t differences() const { return differences_; }
   const std::optional<LockstepDifference>& first() const { return first_; }
+
+  /// The RTL's side: outputs and, where they can be read, signals inside. To be read after
+  /// settle(), when the wires have settled.
+  std::vector<probe> probes() const override;
+  void settle() { rtl_.settle(); }
 
   /// The back doors, as the model's.
   void deposit_frame(int frame) { rtl_.seek(frame); }

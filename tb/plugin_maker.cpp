@@ -68,12 +68,16 @@ std::vector<std::string> PluginMaker::table_parameters(const std::string& unit) 
 
 std::string PluginMaker::own(const std::string& unit) const {
   std::vector<std::string> parameters = table_parameters(unit);
-  if (parameters.empty()) return "";
+  if (parameters.empty()) {
+    if (!traced_) return "";
+    need_verilator("");
+    return rtl_plugin_path(unit, knobs_, true);
+  }
   need_verilator();
   const std::string plugin = scratch(unit + ".own.so");
   for (const auto& other : other_parameters(rtl_library(rtl_plugin_path(unit, {})).model(), knobs_))
     parameters.push_back(other);
-  build_rtl_plugin(unit, {}, parameters, plugin);
+  build_rtl_plugin(unit, {}, parameters, plugin, traced_);
   return plugin;
 }
 
@@ -85,11 +89,11 @@ std::string PluginMaker::users(const std::string& unit, const std::string& file)
   need_verilator();
   const std::string plugin = scratch(unit + ".so");
   std::vector<std::string> parameters = table_parameters(unit);
-  build_rtl_plugin(unit, {file}, parameters, plugin);
+  build_rtl_plugin(unit, {file}, parameters, plugin, traced_);
   const auto other = other_parameters(rtl_library(plugin).model(), knobs_);
   if (other.empty()) return plugin;
   parameters.insert(parameters.end(), other.begin(), other.end());
-  build_rtl_plugin(unit, {file}, parameters, plugin);
+  build_rtl_plugin(unit, {file}, parameters, plugin, traced_);
   return plugin;
 }
 

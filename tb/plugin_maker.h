@@ -16,11 +16,13 @@ namespace racebeam {
 /// Plug-ins that are not the user's lie in a scratch folder that goes with the program.
 class PluginMaker {
  public:
-  /// For chips with the knobs `k` that show `program`; nullptr: the built-in demo.
-  PluginMaker(const knobs& k, const scene_program* program) : knobs_(k), program_(program) {}
+  /// For chips with the knobs `k` that show `program`; nullptr: the built-in demo. `traced`:
+  /// signals inside the RTL can be read.
+  PluginMaker(const knobs& k, const scene_program* program, bool traced = false)
+      : knobs_(k), program_(program), traced_(traced) {}
 
-  /// The plug-in of a unit's own RTL with the program's table; empty if the unit reads none, since
-  /// the chip finds that RTL itself. Throws RtlError, MissingTool.
+  /// The plug-in of a unit's own RTL with the program's table; empty if the unit reads none and
+  /// is not traced, since the chip finds that RTL itself. Throws RtlError, MissingTool.
   std::string own(const std::string& unit) const;
   /// The plug-in of a user's RTL: a .so as it is, a .sv or .v verilated. Throws UsageError,
   /// RtlError, MissingTool.
@@ -31,6 +33,7 @@ class PluginMaker {
 
   knobs knobs_;
   const scene_program* program_;
+  bool traced_;
 };
 
 /// The plug-in of a whole chip with registered inputs, in the scratch folder. Throws RtlError,

@@ -170,6 +170,13 @@ SignalBench::Frame SignalBench::render() {
   return frame;
 }
 
+void SignalBench::settle() {
+  while (sc_core::sc_pending_activity_at_current_time()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  for (auto& lockstep : platform_->locksteps) lockstep->settle();
+}
+
+const sc_core::sc_module& SignalBench::dut() const { return platform_->dut; }
+
 std::vector<const Lockstep*> SignalBench::locksteps() const {
   std::vector<const Lockstep*> all;
   for (const auto& lockstep : platform_->locksteps) all.push_back(lockstep.get());

@@ -38,6 +38,10 @@ class SignalBench final : public ChipBench {
   void advance(int clocks);
   /// One frame, or the rest of one.
   Frame render() override;
+  /// Lets all wires settle without a clock: after seek(), and after construction, they have not.
+  void settle();
+  /// The chip, to be looked into between clocks.
+  const sc_core::sc_module& dut() const;
   std::uint64_t clocks() const override;
   const SoundMonitor* sound() const override;
   std::vector<const Lockstep*> locksteps() const override;

@@ -27,8 +27,10 @@ bool is_taped_out(const knobs& k) {
 
 }  // namespace
 
-UseOption::UseOption(const knobs& k, const scene_program* program)
-    : scene_file_(program != nullptr), wired_(!program && is_taped_out(k)), plugins_(k, program) {}
+UseOption::UseOption(const knobs& k, const scene_program* program, bool traced)
+    : scene_file_(program != nullptr),
+      wired_(!program && is_taped_out(k)),
+      plugins_(k, program, traced) {}
 
 void UseOption::check_unit(const std::string& unit) const {
   std::vector<std::string> known = chip_units(scene_file_);

@@ -15,7 +15,8 @@ namespace racebeam {
 class UseOption {
  public:
   /// A chip with the knobs `k` that shows `program`; nullptr: the built-in demo.
-  UseOption(const knobs& k, const scene_program* program);
+  /// `traced`: signals inside the RTL can be read.
+  UseOption(const knobs& k, const scene_program* program, bool traced = false);
 
   /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=mine.so", or
   /// several with commas between; later ones replace earlier ones. SystemVerilog is verilated here.

@@ -3,7 +3,6 @@
 #include "tb/vcd_writer.h"
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -39,51 +38,110 @@ std::string move(const std::vector<std::string>& from, const std::vector<std::st
 
 }  // namespace
 
-int VcdWriter::add(const std::string& scope, const std::string& name, int bits) {
-  if (bits < 1 || bits > 64) throw std::invalid_argument(name + ": a signal has 1 to 64 bits");
+int VcdWriter::add_signal(const std::string& scope, const std::string& name, int bits) {
   if (started_) throw std::logic_error(name + " comes after the first change");
-  signals_.push_back({scope, name, bits});
-  return static_cast<int>(signals_.size()) - 1;
+  signals_.push_back({bits});
+  const int signal = static_cast<int>(signals_.size()) - 1;
+  names_.push_back({scope, name, signal});
+  return signal;
 }
 
-void VcdWriter::change(std::uint64_t time, int signal, std::uint64_t value) {
-  Signal& s = signals_.at(static_cast<std::size_t>(signal));
-  if (time < time_) throw std::logic_error("the time of " + s.name + " runs backwards");
-  if (s.known && s.value == value) return;
-  s.known = true;
-  s.value = value;
+int VcdWriter::add(const std::string& scope, const std::string& name, int bits) {
+  if (bits < 1 || bits > 64) throw std::invalid_argument(name + ": a signal has 1 to 64 bits");
+  return add_signal(scope, name, bits);
+}
+
+int VcdWriter::add_text(const std::string& scope, const std::string& name) {
+  return add_signal(scope, name, 0);
+}
+
+void VcdWriter::alias(const std::string& scope, const std::string& name, int signal) {
+  if (started_) throw std::logic_error(name + " comes after the first change");
+  names_.push_back({scope, name, signal});
+}
+
+VcdWriter::Signal& VcdWriter::at(std::uint64_t time, int signal) {
+  if (time < time_) throw std::logic_error("time runs backwards");
+  return signals_.at(static_cast<std::size_t>(signal));
+}
+
+// To the time of the next change.
+void VcdWriter::step(std::uint64_t time) {
+  constexpr std::size_t Enough = 1 << 16;
+  if (file_ && changes_.size() > Enough) {
+    if (!headed_) changes_.insert(0, header(comment_));
+    headed_ = true;
+    file_->write(changes_.data(), changes_.size());
+    changes_.clear();
+  }
   if (time > time_ || !started_) changes_ += "#" + std::to_string(time) + "\n";
   started_ = true;
   time_ = time;
+}
+
+void VcdWriter::change(std::uint64_t time, int signal, std::uint64_t value) {
+  Signal& s = at(time, signal);
+  if (s.known && s.value == value) return;
+  s.known = true;
+  s.value = value;
+  step(time);
   if (s.bits == 1) {
     changes_ += (value & 1 ? "1" : "0") + code(signal) + "\n";
     return;
   }
-  std::string digits;
-  for (int bit = s.bits - 1; bit >= 0; --bit) digits += (value >> bit & 1) ? '1' : '0';
-  changes_ += "b" + digits + " " + code(signal) + "\n";
+  char digits[66];
+  digits[0] = 'b';
+  for (int bit = 0; bit < s.bits; ++bit)
+    digits[s.bits - bit] = static_cast<char>('0' + (value >> bit & 1));
+  changes_.append(digits, static_cast<std::size_t>(s.bits) + 1).append(" " + code(signal) + "\n");
+}
+
+void VcdWriter::change(std::uint64_t time, int signal, const std::string& word) {
+  Signal& s = at(time, signal);
+  if (s.known && s.word == word) return;
+  s.known = true;
+  s.word = word;
+  step(time);
+  std::string shown = word.empty() ? "_" : word;
+  std::replace(shown.begin(), shown.end(), ' ', '_');
+  changes_ += "s" + shown + " " + code(signal) + "\n";
+}
+
+std::string VcdWriter::header(const std::string& comment) const {
+  std::vector<const Name*> order;
+  for (const Name& name : names_) order.push_back(&name);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Name* a, const Name* b) { return a->scope < b->scope; });
+  std::string text = "$comment " + comment + " $end\n$timescale 1 ps $end\n";
+  std::vector<std::string> place;
+  for (const Name* n : order) {
+    const int wide = bits(n->signal);
+    const auto to = parts(n->scope);
+    text += move(place, to);
+    place = to;
+    text += (wide ? "$var wire " + std::to_string(wide) : "$var string 1") + " " + code(n->signal) +
+            " " + n->name + (wide > 1 ? " [" + std::to_string(wide - 1) + ":0]" : "") + " $end\n";
+  }
+  return text + move(place, {}) + "$enddefinitions $end\n";
 }
 
 std::string VcdWriter::text(const std::string& comment, std::uint64_t end) const {
-  std::vector<int> order(signals_.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return signals_[static_cast<std::size_t>(a)].scope <
-           signals_[static_cast<std::size_t>(b)].scope;
-  });
-  std::string text = "$comment " + comment + " $end\n$timescale 1 ps $end\n";
-  std::vector<std::string> at;
-  for (const int n : order) {
-    const Signal& s = signals_[static_cast<std::size_t>(n)];
-    const auto to = parts(s.scope);
-    text += move(at, to);
-    at = to;
-    text += "$var wire " + std::to_string(s.bits) + " " + code(n) + " " + s.name +
-            (s.bits > 1 ? " [" + std::to_string(s.bits - 1) + ":0]" : "") + " $end\n";
-  }
-  text += move(at, {}) + "$enddefinitions $end\n" + changes_;
+  std::string text = header(comment) + changes_;
   if (end > time_) text += "#" + std::to_string(end) + "\n";
   return text;
+}
+
+void VcdWriter::stream(OutputFile& file, const std::string& comment) {
+  file_ = &file;
+  comment_ = comment;
+}
+
+void VcdWriter::finish(std::uint64_t end) {
+  if (!headed_) changes_.insert(0, header(comment_));
+  headed_ = true;
+  if (end > time_) changes_ += "#" + std::to_string(end) + "\n";
+  file_->write(changes_.data(), changes_.size());
+  changes_.clear();
 }
 
 }  // namespace racebeam

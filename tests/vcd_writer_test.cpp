@@ -6,7 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
+
+#include "tests/scratch_folder.h"
 
 namespace racebeam {
 namespace {
@@ -53,6 +57,39 @@ TEST(VcdWriter, ThousandsOfSignalsHaveCodesOfTheirOwn) {
   for (std::size_t at = text.find("$var"); at != std::string::npos; at = text.find("$var", at + 1))
     codes.insert(text.substr(at + 12, text.find(' ', at + 12) - at - 12));
   EXPECT_EQ(codes.size(), 10000u);
+}
+
+TEST(VcdWriter, SignalsHaveSeveralNamesAndWords) {
+  VcdWriter vcd;
+  const int wire = vcd.add("chip", "i2", 10);
+  vcd.alias("chip.u_subdivider", "i2_o", wire);
+  const int state = vcd.add_text("chip", "state_name");
+  vcd.change(0, wire, 5);
+  vcd.change(0, state, "ray pattern");
+  vcd.change(7, state, "ray pattern");
+  EXPECT_EQ(vcd.text("", 9),
+            "$comment  $end\n$timescale 1 ps $end\n$scope module chip $end\n"
+            "$var wire 10 ! i2 [9:0] $end\n$var string 1 \" state_name $end\n"
+            "$scope module u_subdivider $end\n$var wire 10 ! i2_o [9:0] $end\n"
+            "$upscope $end\n$upscope $end\n$enddefinitions $end\n"
+            "#0\nb0000000101 !\nsray_pattern \"\n#9\n");
+}
+
+TEST(VcdWriter, AStreamedFileIsTheText) {
+  const ScratchFolder folder;
+  VcdWriter whole, streamed;
+  OutputFile file(folder / "s.vcd");
+  streamed.stream(file, "both");
+  for (VcdWriter* vcd : {&whole, &streamed}) {
+    const int count = vcd->add("chip", "count", 16);
+    for (unsigned n = 0; n < 20000; ++n) vcd->change(2 * n, count, n);
+  }
+  streamed.finish(40000);
+  file.commit();
+  std::ifstream in(folder / "s.vcd");
+  const std::string got{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_GT(got.size(), 500000u);
+  EXPECT_TRUE(got == whole.text("both", 40000));
 }
 
 TEST(VcdWriter, RefusesWhatNoViewerCouldShow) {

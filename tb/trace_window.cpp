@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/trace_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "tb/errors.h"
+
+namespace racebeam {
+
+namespace {
+
+/// The numbers between colons; none if one of them is no number.
+std::vector<int> numbers(const std::string& text) {
+  std::vector<int> all;
+  const char *at = text.data(), *const end = text.data() + text.size();
+  for (;; ++at) {
+    int number = 0;
+    const auto [next, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || (next != end && *next != ':')) return {};
+    all.push_back(number);
+    at = next;
+    if (at == end) return all;
+  }
+}
+
+}  // namespace
+
+TracePoint point_at(std::int64_t ordinal, const Raster& raster) {
+  const auto frame = ordinal / raster.frame_clocks(), rest = ordinal % raster.frame_clocks();
+  return {static_cast<int>(frame), static_cast<int>(rest / raster.line_clocks()) + FirstLine,
+          static_cast<int>(rest % raster.line_clocks())};
+}
+
+TracePoint TraceWindowReader::point(const char* option, const std::string& text, int clock) const {
+  const std::vector<int> n = numbers(text);
+  if (n.size() < 2 || n.size() > 3)
+    throw UsageError(
+        fmt::format("{} '{}' is not of the form FRAME:LINE or FRAME:LINE:CLOCK, such as 60:-240:0",
+                    option, text));
+  const auto check = [&](const char* what, int value, int min, int max) {
+    if (value < min || value > max)
+      throw UsageError(
+          fmt::format("{} {}: {} {} is out of range; {}..{}", option, text, what, value, min, max));
+  };
+  check("frame", n[0], 0, frames_ - 1);
+  check("line", n[1], FirstLine, LastLine);
+  if (n.size() == 3) check("clock", n[2], 0, raster_.line_clocks() - 1);
+  return {n[0], n[1], n.size() == 3 ? n[2] : clock};
+}
+
+TraceWindow TraceWindowReader::window(const std::string& from, const std::string& to) const {
+  const TraceWindow window{point("--from", from, 0), point("--to", to, raster_.line_clocks() - 1)};
+  if (window.to.ordinal(raster_) < window.from.ordinal(raster_))
+    throw UsageError(fmt::format("--to {} comes before --from {}", to, from));
+  return window;
+}
+
+TraceWindow TraceWindowReader::around(const TracePoint& point, long long lines) const {
+  const std::int64_t line = point.ordinal(raster_) / raster_.line_clocks();
+  const std::int64_t last = static_cast<std::int64_t>(frames_) * FrameLines - 1;
+  const std::int64_t first = std::max<std::int64_t>(line - lines, 0);
+  const std::int64_t end = std::min<std::int64_t>(line + lines, last) + 1;
+  return {point_at(first * raster_.line_clocks(), raster_),
+          point_at(end * raster_.line_clocks() - 1, raster_)};
+}
+
+}  // namespace racebeam

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/wave_file.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "tb/errors.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool vcd2fst(std::string from, std::string to) {
+  std::string program = "vcd2fst";
+  char* const words[] = {program.data(), from.data(), to.data(), nullptr};
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, words[0], &quiet, nullptr, words, environ);
+  posix_spawn_file_actions_destroy(&quiet);
+  int status = 0;
+  return error == 0 && waitpid(child, &status, 0) == child && status == 0;
+}
+
+}  // namespace
+
+void need_vcd2fst() {
+  if (std::system("command -v vcd2fst >/dev/null") != 0)
+    throw MissingTool("vcd2fst is not installed; install the package `gtkwave`, or write a .vcd");
+}
+
+WaveFile::WaveFile(const std::string& path) {
+  if (fs::path(path).extension() != ".fst") {
+    vcd_ = std::make_unique<OutputFile>(path);
+    return;
+  }
+  fst_ = std::make_unique<OutputFile>(path);
+  made_of_ = fst_->temporary_path() + ".vcd";
+  vcd_ = std::make_unique<OutputFile>(made_of_);
+}
+
+WaveFile::~WaveFile() {
+  std::error_code ignored;
+  if (!made_of_.empty()) fs::remove(made_of_, ignored);
+}
+
+void WaveFile::commit() {
+  vcd_->commit();
+  if (!fst_) return;
+  if (!vcd2fst(made_of_, fst_->temporary_path())) throw OutputError(fst_->path(), "vcd2fst failed");
+  fst_->commit(1);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,329 @@
+// `racebeam trace` through the command line: what is in its waveforms, and how they are refused.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <set>
+
+#include "sc/chip_core.h"
+#include "sc/probe.h"
+#include "tests/program.h"
+#include "tests/wave.h"
+
+namespace racebeam {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int Period = clock_period_ps(2);
+constexpr int LineClocks = 1600;  // of the taped-out chip
+
+/// Clocks since the start of frame 0.
+std::uint64_t ordinal(int frame, int line, int clock = 0) {
+  return (static_cast<std::uint64_t>(frame) * FrameLines +
+          static_cast<std::uint64_t>(line - FirstLine)) *
+             LineClocks +
+         static_cast<std::uint64_t>(clock);
+}
+
+std::string place(int frame, int line) {
+  return std::to_string(frame) + ":" + std::to_string(line);
+}
+
+/// All registers of a chip of the demo, by their paths.
+std::vector<probe> registers_of_chip(const chip_core& chip, const knobs& k) {
+  std::vector<probe> all;
+  const auto add = [&all](const char* unit, const std::vector<probe>& probes) {
+    for (probe one : probes) {
+      one.name = std::string("chip.u_") + unit + "." + one.name;
+      all.push_back(one);
+    }
+  };
+  add("vga_timing", registers_of(chip.vga_timing, k));
+  add("sequencer", registers_of(chip.sequencer, k));
+  add("camera_unit", registers_of(chip.camera_unit, k));
+  add("ray_stepper", registers_of(chip.ray_stepper, k));
+  add("subdivider", registers_of(chip.subdivider, k));
+  add("stacks", registers_of(chip.stacks, k));
+  add("decision_datapath", registers_of(chip.decision_datapath, k));
+  add("navigator", registers_of(chip.navigator, k));
+  add("interval_fifo", registers_of(chip.interval_fifo, k));
+  add("pwm_sound", registers_of(chip.pwm_sound));
+  return all;
+}
+
+/// Compares registers and some wires of `wave` with the cores, clock by clock.
+void expect_the_cores(const Wave& wave, int frame, int line, int lines) {
+  const knobs k;
+  chip_core chip;
+  chip.clock(false, k);
+  chip.deposit(frame, k);
+  const auto registers = registers_of_chip(chip, k);
+  for (int clock = 0; clock < (line - FirstLine) * LineClocks; ++clock) chip.clock(true, k);
+  std::vector<const Wave::Signal*> shown;
+  for (const probe& one : registers) {
+    shown.push_back(&wave[one.name]);
+    EXPECT_EQ(shown.back()->bits, one.bits) << one.name;
+  }
+  const Wave::Signal &emit = wave["chip.emit"], &ack = wave["chip.u_interval_fifo.ack_o"],
+                     &restart = wave["chip.u_decision_datapath.restart_i"],
+                     &fill = wave["chip.fill"], &y = wave["beam.line"];
+  for (int clock = 0; clock < lines * LineClocks; ++clock) {
+    const std::uint64_t time = (ordinal(frame, line) + static_cast<std::uint64_t>(clock)) * Period;
+    for (std::size_t n = 0; n < registers.size(); ++n)
+      ASSERT_EQ(shown[n]->number(time), registers[n].read())
+          << registers[n].name << " in clock " << clock << " from line " << line << " of frame "
+          << frame;
+    chip_view view{};
+    chip.clock(true, k, &view);
+    ASSERT_EQ(emit.at(time) == "1", view.emit);
+    ASSERT_EQ(ack.at(time) == "1", view.ack);
+    ASSERT_EQ(restart.at(time) == "1", view.restart);
+    ASSERT_EQ(fill.number(time), static_cast<unsigned>(view.fill));
+    ASSERT_EQ(wrap_signed(static_cast<int>(y.number(time)), 10), view.y);
+    ASSERT_EQ(wave["chip.clk_i"].at(time), "1");
+    ASSERT_EQ(wave["chip.clk_i"].at(time + Period / 2), "0");
+  }
+}
+
+class CliTraceTest : public testing::Test {
+ protected:
+  Wave trace(const std::vector<std::string>& more, const std::string& file = "t.vcd") {
+    std::vector<std::string> arguments = {"trace", "demo", "-o", file};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Program run(folder.path(), arguments);
+    EXPECT_EQ(run.wait(), 0) << run.err();
+    said = run.err();
+    return Wave(folder / file);
+  }
+  void expect_refused(const std::vector<std::string>& more, const std::string& words,
+                      int code = 2) {
+    std::vector<std::string> arguments = {"trace"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Program run(folder.path(), arguments);
+    EXPECT_EQ(run.wait(), code);
+    EXPECT_THAT(run.err(), HasSubstr(words));
+  }
+
+  ScratchFolder folder;
+  std::string said;
+};
+
+TEST_F(CliTraceTest, EveryRegisterIsThatOfTheCoresInEveryClockOfRandomWindows) {
+  std::minstd_rand random(7);
+  for (int n = 0; n < 3; ++n) {
+    const int frame = static_cast<int>(random() % DemoFrames);
+    const int line = FirstLine + static_cast<int>(random() % (FrameLines - 4));
+    const Wave wave = trace({"--from", place(frame, line), "--to", place(frame, line + 2)});
+    EXPECT_EQ(wave.scale, "1ps");
+    EXPECT_EQ(wave.begin, ordinal(frame, line) * Period);
+    EXPECT_EQ(wave.end, ordinal(frame, line + 3) * Period);
+    expect_the_cores(wave, frame, line, 3);
+  }
+}
+
+TEST_F(CliTraceTest, RtlHasTheSignalsOfTheModelWithTheSameChanges) {
+  const std::vector<std::string> window = {"--from", "7223:-100", "--to", "7223:-98"};
+  const Wave model = trace(window, "model.vcd");
+  std::vector<std::string> with_rtl = window;
+  with_rtl.insert(with_rtl.end(), {"--use", "all=rtl"});
+  const Wave rtl = trace(with_rtl, "rtl.vcd");
+  EXPECT_GT(rtl.signals.size(), model.signals.size()) << "RTL shows its inner signals too";
+  int same = 0;
+  for (const auto& [path, signal] : model.signals) {
+    ASSERT_TRUE(rtl.signals.count(path)) << path;
+    EXPECT_EQ(rtl[path].bits, signal.bits) << path;
+    EXPECT_TRUE(rtl[path] == signal) << path << " changes otherwise";
+    same += rtl[path] == signal;
+  }
+  EXPECT_GT(same, 300);
+  Program shared(folder.path(), {"trace", "--diff", "model.vcd", "rtl.vcd", "--shared"});
+  EXPECT_EQ(shared.wait(), 0) << shared.out();
+  Program all(folder.path(), {"trace", "--diff", "model.vcd", "rtl.vcd"});
+  EXPECT_EQ(all.wait(), 1) << "the RTL has more signals";
+  EXPECT_THAT(all.out(), HasSubstr("only in rtl.vcd"));
+}
+
+TEST_F(CliTraceTest, LockstepShowsBothSides) {
+  const Wave wave =
+      trace({"--from", "60:0", "--to", "60:1", "--use", "stacks=lockstep,subdivider=rtl", "--scope",
+             "chip.u_stacks", "--scope", "*.i1_q"});
+  EXPECT_TRUE(wave.signals.count("chip.u_subdivider.i1_q"));
+  EXPECT_FALSE(wave.signals.count("chip.u_subdivider.i2_q"));
+  int both = 0;
+  for (const auto& [path, signal] : wave.signals) {
+    if (path.rfind("chip.u_stacks.rtl.", 0) != 0) continue;
+    const auto model = wave.signals.find("chip.u_stacks." + path.substr(18));
+    if (model == wave.signals.end()) continue;
+    ++both;
+    EXPECT_TRUE(model->second == signal) << path;
+  }
+  EXPECT_GE(both, 20) << "outputs and registers";
+}
+
+TEST_F(CliTraceTest, StatesAreWordsToo) {
+  const Wave wave = trace({"--from", "60:10", "--to", "60:10", "--scope", "*.state_q*"});
+  const auto& number = wave["chip.u_subdivider.state_q"];
+  const auto& word = wave["chip.u_subdivider.state_q_name"];
+  EXPECT_EQ(word.kind, "string");
+  const std::map<std::string, std::string> words = {
+      {"00", "left"}, {"01", "right"}, {"10", "bisect"}, {"11", "return"}};
+  ASSERT_EQ(word.changes.size(), number.changes.size());
+  for (const auto& [time, digits] : number.changes) EXPECT_EQ(word.at(time), words.at(digits));
+  EXPECT_THAT(wave["beam.part"].at(wave.end), Not(""));
+}
+
+TEST_F(CliTraceTest, ScopeAndDepthChooseSignals) {
+  const auto count = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--from", "0:0:0", "--to", "0:0:9"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    int wires = 0, inside = 0;
+    for (const auto& [path, signal] : trace(arguments).signals) {
+      if (path.rfind("beam.", 0) == 0) continue;
+      ++(std::count(path.begin(), path.end(), '.') == 1 ? wires : inside);
+    }
+    return std::pair{wires, inside};
+  };
+  const auto all = count({}), top = count({"--depth", "1"}),
+             unit = count({"--scope", "chip.u_sc*"});
+  EXPECT_GT(all.second, 250);
+  EXPECT_EQ(top, (std::pair{all.first, 0}));
+  EXPECT_EQ(unit.first, 0);
+  EXPECT_EQ(unit.second, 14) << "the ports of scene";
+}
+
+TEST_F(CliTraceTest, FollowsTheClockAndTheFramesOfTheScene) {
+  const Wave slow =
+      trace({"--from", "60:251:2000", "--to", "61:-273:5", "--set", "clocks_per_pixel=3"});
+  EXPECT_EQ(slow["beam.frame"].changes.size(), 2u);
+  EXPECT_EQ(slow["beam.clock"].number(slow.begin), 2000u);
+  EXPECT_EQ(slow["beam.pixel"].number(slow.begin), (2000u / 3 - 160) & 2047);
+  EXPECT_EQ(slow.end - slow.begin, 406u * clock_period_ps(3));
+  EXPECT_EQ(slow["chip.u_sequencer.frame_q"].number(slow.end), 61u);
+}
+
+TEST_F(CliTraceTest, AnFstHasTheChangesOfTheVcd) {
+  const std::vector<std::string> window = {"--from", "60:0", "--to", "60:2"};
+  const Wave vcd = trace(window);
+  Program fst(folder.path(), {"trace", "demo", "-o", "t.fst", "--from", "60:0", "--to", "60:2"});
+  ASSERT_EQ(fst.wait(), 0) << fst.err();
+  const std::string back = "fst2vcd " + (folder / "t.fst") + " > " + (folder / "back.vcd");
+  ASSERT_EQ(std::system(back.c_str()), 0);
+  const Wave other(folder / "back.vcd");
+  for (const auto& [path, signal] : vcd.signals)
+    EXPECT_EQ(other[path].changes, signal.changes) << path;
+  Program diff(folder.path(), {"trace", "--diff", "t.vcd", "back.vcd"});
+  EXPECT_EQ(diff.wait(), 0) << diff.out();
+}
+
+TEST_F(CliTraceTest, TheSaveFileShowsEverySignalInTheGroupOfItsUnit) {
+  const Wave wave = trace({"--from", "60:0:0", "--to", "60:0:9"});
+  std::istringstream save(read_file(folder / "t.gtkw"));
+  std::string scope;
+  std::set<std::string> shown;
+  bool groups = false;
+  for (std::string line; std::getline(save, line);) {
+    if (line[0] == '-') {
+      scope = line.substr(1);
+      groups = true;
+    }
+    if (line[0] == '-' || line[0] == '@' || line[0] == '[') continue;
+    for (const auto& [path, signal] : wave.signals) {
+      const std::string range =
+          signal.bits > 1 ? "[" + std::to_string(signal.bits - 1) + ":0]" : "";
+      if (line != path + range) continue;
+      shown.insert(path);
+      EXPECT_EQ(path.substr(0, path.rfind('.')), scope);
+    }
+  }
+  EXPECT_TRUE(groups);
+  EXPECT_EQ(shown.size(), wave.signals.size());
+}
+
+TEST_F(CliTraceTest, DiffExplainsTheFirstDifference) {
+  trace({"--from", "60:0", "--to", "60:3"}, "a.vcd");
+  Program same(folder.path(), {"trace", "--diff", "a.vcd", "a.vcd"});
+  EXPECT_EQ(same.wait(), 0);
+  EXPECT_THAT(same.out(), HasSubstr("no difference"));
+  std::string text = read_file(folder / "a.vcd");
+  const auto line = "#" + std::to_string(ordinal(60, 1, 700) * Period + Period / 2) + "\n";
+  const auto at = text.find(line);
+  ASSERT_NE(at, std::string::npos);
+  const auto variable = text.find(" idx2_q ");  // $var wire 10 CODE idx2_q
+  const auto blank = text.rfind(' ', variable - 1);
+  const std::string code = text.substr(blank + 1, variable - blank - 1);
+  std::ofstream(folder / "c.vcd") << text.insert(at + line.size(), "b111 " + code + "\n");
+  Program changed(folder.path(), {"trace", "--diff", "a.vcd", "c.vcd"});
+  EXPECT_EQ(changed.wait(), 1);
+  EXPECT_THAT(changed.out(), HasSubstr("(frame 60, line 1, clock 700): 1 signal\n"));
+  EXPECT_THAT(changed.out(), HasSubstr("  chip.u_subdivider.idx2_q: "));
+  EXPECT_THAT(changed.out(), HasSubstr("111 in c.vcd\n"));
+}
+
+TEST_F(CliTraceTest, AroundShowsTheLinesOfItsTrigger) {
+  const Wave wave = trace({"--around", "first-restart", "--from", "7223:-240", "--lines", "0"});
+  EXPECT_EQ(wave.end - wave.begin, static_cast<std::uint64_t>(LineClocks) * Period);
+  const auto& restart = wave["chip.restart"];
+  bool seen = false;
+  for (const auto& [time, value] : restart.changes)
+    if (value == "1" && wave["chip.line_done"].at(time) == "0") {
+      const std::string told =
+          "frame 7223, line " +
+          std::to_string(wrap_signed(static_cast<int>(wave["beam.line"].number(time)), 10)) +
+          ", clock " + std::to_string(wave["beam.clock"].number(time)) + "\n";
+      seen = seen || said.find(told) != std::string::npos;
+    }
+  EXPECT_TRUE(seen) << said;
+}
+
+TEST_F(CliTraceTest, RefusesWindowsThatAreNone) {
+  const auto window = [&](const char* from, const char* to, const std::string& words) {
+    expect_refused({"demo", "-o", "t.vcd", "--from", from, "--to", to}, words);
+  };
+  window("60", "60:1", "--from '60' is not of the form FRAME:LINE or FRAME:LINE:CLOCK");
+  window("60:1:2:3", "60:1", "is not of the form");
+  window("60:x", "60:1", "is not of the form");
+  window("12799:0", "60:1", "--from 12799:0: frame 12799 is out of range; 0..12798");
+  window("60:-274", "60:1", "line -274 is out of range; -273..251");
+  window("60:0:1600", "60:1", "clock 1600 is out of range; 0..1599");
+  window("60:1", "60:0", "--to 60:0 comes before --from 60:1");
+  expect_refused({"demo", "-o", "t.vcd"}, "--from FRAME:LINE");
+  expect_refused({"demo", "-o", "t.vcd", "--around", "first-stravd"},
+                 "did you mean 'first-starved'?");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_F(CliTraceTest, RefusesWhatItCannotWrite) {
+  const std::vector<std::string> window = {"--from", "0:0:0", "--to", "0:0:1"};
+  const auto refused = [&](std::vector<std::string> more, const std::string& words) {
+    more.insert(more.end(), window.begin(), window.end());
+    expect_refused(more, words);
+  };
+  refused({"demo"}, "-o FILE.vcd");
+  refused({"-o", "t.vcd"}, "scene is required");
+  refused({"demo", "-o", "t.png"}, "ends with .vcd or .fst");
+  refused({"demo", "-o", "t.vcd", "--scope", "chip.u_nothing"}, "no signal is under");
+  refused({"demo", "-o", "none/t.vcd"}, "cannot write none/t.vcd");
+  refused({"demo", "-o", "t.vcd", "--depth", "-1"}, "--depth -1 is out of range");
+  refused({"demo", "-o", "t.vcd", "--use", "stakcs=rtl"}, "did you mean 'stacks'?");
+  expect_refused({"--diff", "a.vcd", "b.vcd"}, "cannot read a.vcd");
+  std::ofstream(folder / "a.vcd") << "no waveform";
+  expect_refused({"--diff", "a.vcd", "a.vcd"}, "is no value change dump");
+}
+
+TEST_F(CliTraceTest, NamesThePackageThatMakesFst) {
+  Program::Setting bare;
+  bare.environment = "PATH=/nowhere";
+  Program run(folder.path(), {"trace", "demo", "-o", "t.fst", "--from", "0:0", "--to", "0:1"},
+              bare);
+  EXPECT_EQ(run.wait(), 3);
+  EXPECT_THAT(run.err(), HasSubstr("install the package `gtkwave`"));
+}
+
+}  // namespace
+}  // namespace racebeam
