@@ -113,7 +113,7 @@ std::int64_t write_window(SignalBench& bench, SignalTrace& trace, const TraceWin
   const std::int64_t first = window.from.ordinal(raster), last = window.to.ordinal(raster);
   bench.seek(window.from.frame);
   bench.settle();
-  bench.advance(static_cast<int>(first % raster.frame_clocks()));
+  if (const auto before = first % raster.frame_clocks()) bench.advance(static_cast<int>(before));
   std::int64_t clock = first;
   for (; clock <= last && !interrupted(); ++clock) {
     trace.sample(point_at(clock, raster));
