@@ -209,8 +209,8 @@ const std::vector<counter_info>& counter_table() {
       {"return_clocks", &FrameStats::return_clocks},
       {"emits", &FrameStats::emits},
       {"restarts", &FrameStats::restarts},
-      {"give_ups", &FrameStats::give_ups},
       {"starved_pixels", &FrameStats::starved_pixels},
+      {"give_ups", &FrameStats::give_ups},
       {"fifo_full_stalls", &FrameStats::fifo_full_stalls},
       {"rooms_entered", &FrameStats::rooms_entered},
   };

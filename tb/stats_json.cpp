@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sc/constants.h"
+#include "sc/tlm_map.h"
 #include "tb/golden_json.h"
 #include "tb/knobs_json.h"
 
@@ -20,25 +21,6 @@ using Json = nlohmann::ordered_json;
 using Histogram = std::array<std::uint64_t, 65>;
 
 constexpr int Percentile = 99;
-
-/// The counters that are plain sums, by their names in the file.
-constexpr std::pair<const char*, std::uint64_t FrameStats::*> Counters[] = {
-    {"clocks", &FrameStats::clocks},
-    {"left_decisions", &FrameStats::left_decisions},
-    {"right_decisions", &FrameStats::right_decisions},
-    {"bisection_steps", &FrameStats::bisection_steps},
-    {"adjust_steps", &FrameStats::adjust_steps},
-    {"descents", &FrameStats::descents},
-    {"pushes", &FrameStats::pushes},
-    {"returns", &FrameStats::returns},
-    {"return_clocks", &FrameStats::return_clocks},
-    {"emits", &FrameStats::emits},
-    {"restarts", &FrameStats::restarts},
-    {"starved_pixels", &FrameStats::starved_pixels},
-    {"give_ups", &FrameStats::give_ups},
-    {"fifo_full_stalls", &FrameStats::fifo_full_stalls},
-    {"rooms_entered", &FrameStats::rooms_entered},
-};
 
 Json json_of(const Spread& spread) {
   if (spread.count() == 0) return nullptr;
@@ -68,7 +50,7 @@ void put_lines(Json& to, const LineSpreads& lines, bool whole_run) {
 }
 
 void put_stats(Json& to, const FrameStats& stats, const knobs& k) {
-  for (const auto& [name, member] : Counters) {
+  for (const auto& [name, member] : counter_table()) {
     to[name] = stats.*member;
     if (member == &FrameStats::clocks) to["decisions"] = stats.decisions();
   }
@@ -122,7 +104,7 @@ void StatsReport::add(int frame, const std::string& part, const FrameStats& stat
   frames_.push_back(json.dump());
 
   lines_.add(frame, stats);
-  for (const auto& [name, member] : Counters) sums_.*member += stats.*member;
+  for (const auto& [name, member] : counter_table()) sums_.*member += stats.*member;
   for (std::size_t i = 0; i < stats.fifo_fill.size(); ++i) {
     sums_.fifo_fill[i] += stats.fifo_fill[i];
     sums_.stack_depth[i] += stats.stack_depth[i];
