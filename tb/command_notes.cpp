@@ -7,6 +7,7 @@
 
 #include "tb/command_scene.h"
 #include "tb/console.h"
+#include "tb/counted.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/notes_markdown.h"
@@ -48,8 +49,8 @@ int command_scene_notes(const SceneOptions& options) {
   progress.clear();
   file.write(text.data(), text.size());
   file.commit();
-  tell(fmt::format("wrote {}: {} frames of {} scene{}", options.notes, frames, shows.size(),
-                   shows.size() == 1 ? "" : "s"));
+  tell(fmt::format("wrote {}: {} frames of {}", options.notes, frames,
+                   counted(shows.size(), "scene")));
   if (unexplained == 0) return ExitGood;
   tell(fmt::format("{} pixels are unexplained; please report the scene", unexplained));
   return ExitDifference;

@@ -9,65 +9,24 @@
 #include <optional>
 
 #include "tb/console.h"
+#include "tb/counted.h"
 #include "tb/errors.h"
-#include "tb/gtkw_file.h"
 #include "tb/interrupt.h"
 #include "tb/open_show.h"
 #include "tb/output_file.h"
 #include "tb/set_knob.h"
-#include "tb/signal_trace.h"
-#include "tb/trace_trigger.h"
+#include "tb/trace/diff_report.h"
+#include "tb/trace/gtkw_file.h"
+#include "tb/trace/signal_trace.h"
+#include "tb/trace/trigger.h"
+#include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
-#include "tb/vcd_diff.h"
-#include "tb/wave_file.h"
 
 namespace racebeam {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t ShownRows = 12;
-
-std::string counted(std::uint64_t count, const char* thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
-// Names that one file has only, some of them.
-void tell_missing(const std::string& file, const std::vector<std::string>& paths) {
-  if (paths.empty()) return;
-  std::string some;
-  for (std::size_t n = 0; n < std::min(paths.size(), ShownRows); ++n) some += "\n  " + paths[n];
-  print(fmt::format("only in {}, or of another width: {}{}{}\n", file,
-                    counted(paths.size(), "signal"), some,
-                    paths.size() > ShownRows ? "\n  ..." : ""));
-}
-
-int trace_diff(const TraceOptions& options) {
-  const std::string &a_path = options.diff.at(0), &b_path = options.diff.at(1);
-  VcdReader a(a_path), b(b_path);
-  const VcdComparison result = compare_vcds(a, b);
-  if (result.shared == 0) throw UsageError("the two files have no signal in common");
-  if (!options.shared) {
-    tell_missing(a_path, result.only_a);
-    tell_missing(b_path, result.only_b);
-  }
-  if (result.first) {
-    const VcdDifference& d = *result.first;
-    print(fmt::format("first difference at {} ps{}: {}\n", d.time,
-                      d.place.empty() ? "" : " (" + d.place + ")",
-                      counted(d.rows.size(), "signal")));
-    for (std::size_t n = 0; n < std::min(d.rows.size(), ShownRows); ++n)
-      print(fmt::format("  {}: {} in {}, {} in {}\n", d.rows[n].path,
-                        d.rows[n].a.empty() ? "unknown" : d.rows[n].a, a_path,
-                        d.rows[n].b.empty() ? "unknown" : d.rows[n].b, b_path));
-    return ExitDifference;
-  }
-  const bool same = options.shared || result.same();
-  print(fmt::format("{}, {}: no difference\n", counted(result.shared, "shared signal"),
-                    counted(result.changes / 2, "change")));
-  return same ? ExitGood : ExitDifference;
-}
 
 void check_usage(const TraceOptions& options) {
   if (options.scene.empty())
@@ -125,7 +84,8 @@ std::int64_t write_window(SignalBench& bench, SignalTrace& trace, const TraceWin
 }  // namespace
 
 int command_trace(const TraceOptions& options) {
-  if (!options.diff.empty()) return trace_diff(options);
+  if (!options.diff.empty())
+    return report_diff(options.diff.at(0), options.diff.at(1), options.shared);
   check_usage(options);
   const Show show = open_show(options.scene);
   SignalBench::Options setting{show.standard_knobs()};
@@ -154,7 +114,7 @@ int command_trace(const TraceOptions& options) {
   const bool whole = end > window.to.ordinal(raster);
   tell(fmt::format("{} {} and {}: {}, {}", whole ? "wrote" : "stopped early; kept", options.output,
                    gtkw_path(options.output), counted(vcd.names().size(), "signal"),
-                   counted(static_cast<std::uint64_t>(clocks), "clock")));
+                   counted(clocks, "clock")));
   return whole ? ExitGood : ExitInterrupted;
 }
 

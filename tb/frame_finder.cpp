@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "tb/counted.h"
 #include "tb/vga_monitor.h"
 
 namespace racebeam {
@@ -59,9 +60,8 @@ Raster raster_of_line(std::uint64_t line_clocks, int clocks_per_pixel) {
   }
   throw SyncError(fmt::format(
       "a line lasts {} clocks from hsync to hsync, must last {}: only 640x480 at 60 Hz is known, "
-      "{} clock{} a pixel at this clock_hz",
-      line_clocks, Raster(clocks_per_pixel).line_clocks(), clocks_per_pixel,
-      clocks_per_pixel == 1 ? "" : "s"));
+      "{} a pixel at this clock_hz",
+      line_clocks, Raster(clocks_per_pixel).line_clocks(), counted(clocks_per_pixel, "clock")));
 }
 
 /// How late the picture is, if what is not black then fits into the visible columns; else 0.

@@ -8,7 +8,7 @@
 
 #include "sc/rtl_plugin.h"
 #include "sc/unit_choices.h"
-#include "tb/vcd_writer.h"
+#include "tb/trace/vcd_writer.h"
 
 namespace racebeam {
 

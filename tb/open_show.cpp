@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "tb/counted.h"
 #include "tb/nearest.h"
 #include "tb/scene/scene_reader.h"
 
@@ -26,8 +27,7 @@ SceneResult load(const std::string& file) {
   SceneResult result = read_scene_file(file);
   if (result.faults.none()) return result;
   std::fputs(result.faults.text(file).c_str(), stderr);
-  throw UsageError(fmt::format("{} fault{} in {}", result.faults.count(),
-                               result.faults.count() == 1 ? "" : "s", file));
+  throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
 }
 
 // Names that were perhaps meant: the built-in demo, and the scene files beside `file` and in

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tb/counted.h"
+
 namespace racebeam {
 
 namespace {
@@ -99,9 +101,8 @@ std::string PinsReport::table_header() const {
       project_.top, project_.clock_hz, project_.clocks_per_pixel, polarity(raster.hsync_pulse),
       raster.line_clocks(), polarity(raster.vsync_pulse), raster.frame_clocks());
   if (const int late = found_.picture_late; late != 0)
-    text += fmt::format("the picture comes {} clock{} {} for its hsync; it was moved back\n",
-                        std::abs(late), std::abs(late) == 1 ? "" : "s",
-                        late > 0 ? "too late" : "too early");
+    text += fmt::format("the picture comes {} {} for its hsync; it was moved back\n",
+                        counted(std::abs(late), "clock"), late > 0 ? "too late" : "too early");
   return text + fmt::format(Row, "frame", "colours", "uo_out toggles") +
          (crc_ ? "  image    pins\n" : "\n");
 }

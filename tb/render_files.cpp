@@ -14,6 +14,7 @@
 
 #include "sc/constants.h"
 #include "tb/console.h"
+#include "tb/counted.h"
 
 namespace racebeam {
 
@@ -143,7 +144,7 @@ std::string RenderFiles::manifest() const {
 }
 
 std::string RenderFiles::summary() const {
-  std::string text = fmt::format("{} frame{}", frames_, frames_ == 1 ? "" : "s");
+  std::string text = counted(frames_, "frame");
   if (!plan_.folder.empty()) text += " in " + plan_.folder;
   for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet})
     if (!path.empty() && frames_ > 0) text += ", " + path;

@@ -1,8 +1,8 @@
-// Promises of tb/vcd_writer.h.
+// Promises of tb/trace/vcd_writer.h.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/vcd_writer.h"
+#include "tb/trace/vcd_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "sc/constants.h"
+#include "tb/counted.h"
 #include "tb/image_files.h"
 
 namespace racebeam {
@@ -46,7 +47,7 @@ std::string ViewRecorder::stop() {
   const std::unique_ptr<GifWriter> gif = std::move(gif_);
   if (frames == 0) return "recorded nothing";
   gif->close();
-  return fmt::format("wrote {} frame{} to {}", frames, frames == 1 ? "" : "s", gif_name_);
+  return "wrote " + counted(frames, "frame") + " to " + gif_name_;
 }
 
 }  // namespace racebeam

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/signal_trace.h"
+#include "tb/trace/signal_trace.h"
 
 #include <fnmatch.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/vcd_diff.h"
+#include "tb/trace/vcd_diff.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/trace_window.h"
+#include "tb/trace/trace_window.h"
 
 #include <fmt/format.h>
 

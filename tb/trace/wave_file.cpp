@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/wave_file.h"
+#include "tb/trace/wave_file.h"
 
 #include <fcntl.h>
 #include <spawn.h>

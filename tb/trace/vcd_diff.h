@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/vcd_reader.h"
+#include "tb/trace/vcd_reader.h"
 
 namespace racebeam {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/gtkw_file.h"
+#include "tb/trace/gtkw_file.h"
 
 #include <filesystem>
 #include <map>

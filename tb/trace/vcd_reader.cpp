@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/vcd_reader.h"
+#include "tb/trace/vcd_reader.h"
 
 #include <algorithm>
 #include <charconv>

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tb/vcd_writer.h"
+#include "tb/trace/vcd_writer.h"
 
 namespace racebeam {
 

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "tb/signal_bench.h"
-#include "tb/trace_window.h"
-#include "tb/vcd_writer.h"
+#include "tb/trace/trace_window.h"
+#include "tb/trace/vcd_writer.h"
 
 namespace racebeam {
 

@@ -10,7 +10,7 @@
 
 #include "sc/knobs.h"
 #include "sc/scene_program.h"
-#include "tb/trace_window.h"
+#include "tb/trace/trace_window.h"
 
 namespace racebeam {
 

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/command_options.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+namespace {
+
+const CLI::Validator NotEmpty(
+    [](const std::string& text) { return text.empty() ? "an empty name" : ""; }, "", "not empty");
+
+}  // namespace
+
+void add_render(CLI::App& app, RenderOptions& options) {
+  CLI::App* render = app.add_subcommand("render", "Render frames as files and statistics");
+  render
+      ->add_option("scene", options.scene,
+                   "demo: the chip's own demo, 12799 frames; or a scene file")
+      ->type_name("SCENE");
+  const auto number = [&](const char* name, long long& to, const char* help) {
+    render->add_option(name, to, help)->type_name("N")->capture_default_str();
+  };
+  const auto file = [&](const char* name, std::string& to, const char* type, const char* help) {
+    render->add_option(name, to, help)->type_name(type)->check(NotEmpty);
+  };
+  number("--frames", options.frames, "Frames to render");
+  number("--first", options.first, "First frame, 0..12798");
+  number("--every", options.every, "Render only every Nth frame");
+  number("--jobs", options.jobs, "Processes that share the frames; the files are the same");
+  render
+      ->add_option("--level", options.level,
+                   "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "
+                   "wired at 50.4 MHz (default with --use); both give the same")
+      ->type_name("LEVEL")
+      ->check(NotEmpty);
+  render->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  render
+      ->add_option("--use", options.units,
+                   "Put RTL in a unit's place: model, rtl, lockstep (both, compared), or a file; "
+                   "UNIT may be all; several with commas; repeatable")
+      ->type_name("UNIT=IMPLEMENTATION")
+      ->allow_extra_args(false);
+  file("--tt", options.project, "DIR",
+       "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) and run it");
+  render->add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  render->add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  file("-o,--output", options.folder, "DIR",
+       "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
+       "asked for");
+  file("--gif", options.gif, "FILE", "Animated GIF");
+  number("--gif-scale", options.gif_scale, "Shrink the GIF N times in both axes, 1..8");
+  file("--wav", options.wav, "FILE", "Sound of consecutive frames");
+  file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
+  file("--stats", options.stats, "FILE.json", "Statistics");
+  render
+      ->add_option("--golden", options.golden,
+                   "trace2, trace4, geometry: render with this golden tracer instead of the chip; "
+                   "compare: both, and why they differ")
+      ->type_name("TRACER")
+      ->check(NotEmpty);
+  render
+      ->add_option("--overlay", options.overlays,
+                   "slack, cost, depth: also maps of how early each pixel was known, what it cost, "
+                   "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
+  render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
+  render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
+}
+
+void add_bench(CLI::App& app, BenchOptions& options) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure simulated clocks a second");
+  bench->add_option("unit", options.units, "Only these unit test benches")->type_name("UNIT");
+  bench->add_option("--frames", options.frames, "Frames of each demo part")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  bench->add_option("--repeat", options.repeats, "Runs of which the median counts")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  bench->add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+void add_verify(CLI::App& app, VerifyOptions& options) {
+  CLI::App* verify = app.add_subcommand("verify", "Compare model and RTL of units in every clock");
+  verify->add_option("unit", options.units, "UNIT, UNIT=FILE.sv, or all")->type_name("UNIT");
+  verify->add_option("--scene", options.scene, "demo, or a scene file")->capture_default_str();
+  verify->add_option("--frames", options.frames, "Frames of the chip, spread over the scene")
+      ->type_name("N")
+      ->capture_default_str();
+  verify->add_option("--random", options.random, "Clocks of random traffic for each unit")
+      ->type_name("N")
+      ->capture_default_str();
+  verify->add_option("--set", options.assignments, "Change a knob: see `racebeam knobs`")
+      ->type_name("KNOB=VALUE");
+  verify->add_option("--seed", options.seed, "Of the random traffic")
+      ->type_name("N")
+      ->capture_default_str();
+  verify->add_option("-o,--output", options.folder, "Folder for the waveforms of differences")
+      ->type_name("DIR")
+      ->check(NotEmpty)
+      ->capture_default_str();
+  verify->add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+void add_scene(CLI::App& app, SceneOptions& options) {
+  CLI::App* scene = app.add_subcommand("scene", "Check, show, draw, start and judge scene files");
+  scene->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help) {
+    CLI::App* command = scene->add_subcommand(name, help);
+    command->add_option("file", options.file, "Scene file (TOML)")->required()->type_name("FILE");
+    return command;
+  };
+  add("check", "List all faults with line, column and help");
+  add("show", "Counts, widths and an estimate of the worst line")
+      ->add_flag("--json", options.json, "JSON on stdout instead of the text");
+  add("plan", "Draw rooms, portals and the camera's way")
+      ->add_option("-o,--output", options.picture, "Picture")
+      ->required()
+      ->type_name("FILE.png")
+      ->check(NotEmpty);
+  add("new", "Write a scene to start from");
+  CLI::App* notes = scene->add_subcommand(
+      "notes", "Counters of some frames, and why the chip does not show the ideal pictures");
+  notes->add_option("scene", options.scenes, "Scene files, or demo")
+      ->required()
+      ->type_name("SCENE");
+  notes->add_option("-o,--output", options.notes, "Markdown")
+      ->required()
+      ->type_name("FILE.md")
+      ->check(NotEmpty);
+  notes->add_option("--frames", options.frames, "Frames of each scene, spread evenly over it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+void add_view(CLI::App& app, ViewOptions& options) {
+  CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
+  view->add_option("scene", options.scene, "demo, or a scene file")->required()->type_name("SCENE");
+  view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
+  view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
+      ->type_name("N");
+  view->add_option("--level", options.level,
+                   "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
+                   "own speed; tlm without --use")
+      ->type_name("LEVEL")
+      ->check(NotEmpty);
+  view->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  view->add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
+      ->type_name("UNIT=IMPLEMENTATION")
+      ->allow_extra_args(false);
+  view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
+      ->type_name("DIR")
+      ->check(NotEmpty)
+      ->capture_default_str();
+  view->add_option("--keys", options.keys, "Keys to press, one after each picture: \"1 g t o\"")
+      ->type_name("NAMES");
+  view->add_option("--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well")
+      ->type_name("N")
+      ->capture_default_str();
+  view->add_flag("--term", options.terminal,
+                 "In this terminal, in 24-bit colours, instead of a window; with --frames also as "
+                 "text into a file");
+  view->add_flag("--paused", options.paused, "Start with the first frame, and wait for keys");
+}
+
+void add_explain(CLI::App& app, ExplainOptions& options) {
+  CLI::App* explain = app.add_subcommand(
+      "explain", "Why a pixel is as it is: its interval, the wall it hits, the clocks it took");
+  explain->add_option("scene", options.scene, "demo, or a scene file")
+      ->required()
+      ->type_name("SCENE");
+  explain->add_option("--frame", options.frame, "Frame of the scene, from 0")
+      ->required()
+      ->type_name("F");
+  explain
+      ->add_option("--pixel", options.pixel,
+                   "Pixel of the picture: 0..639,0..479 from the top left")
+      ->required()
+      ->type_name("X,Y");
+  explain->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  explain->add_flag("--json", options.json, "JSON on stdout instead of the text");
+}
+
+void add_trace(CLI::App& app, TraceOptions& options) {
+  CLI::App* trace =
+      app.add_subcommand("trace", "Write the chip's signals as a waveform, or compare two");
+  trace->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+  const auto text = [&](const char* name, std::string& to, const char* type, const char* help) {
+    trace->add_option(name, to, help)->type_name(type)->check(NotEmpty);
+  };
+  const auto list = [&](const char* name, std::vector<std::string>& to, const char* type,
+                        const char* help) {
+    trace->add_option(name, to, help)->type_name(type)->allow_extra_args(false);
+  };
+  text("-o,--output", options.output, "FILE",
+       "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it");
+  text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
+  text("--to", options.to, "FRAME:LINE[:CLOCK]", "Last clock; without CLOCK the line's last");
+  text(
+      "--around", options.around, "TRIGGER",
+      "first-starved, first-restart or max-stack instead: looked for in the frame of --from, 0, or "
+      "up to --to");
+  trace->add_option("--lines", options.lines, "Lines before and after the one of --around")
+      ->type_name("N")
+      ->capture_default_str();
+  list("--scope", options.scopes, "GLOB",
+       "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
+       "repeatable");
+  trace->add_option("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
+      ->type_name("N")
+      ->capture_default_str();
+  list("--set", options.assignments, "KNOB=VALUE", "Set a knob (`racebeam knobs`); repeatable");
+  list("--use", options.units, "UNIT=IMPLEMENTATION",
+       "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
+  trace->add_option("--diff", options.diff, "Instead of a scene: compare two files")
+      ->type_name("A.vcd B.vcd")
+      ->expected(2);
+  trace->add_flag("--shared", options.shared, "With --diff: only signals that both files have");
+}
+
+}  // namespace racebeam

@@ -1,0 +1,30 @@
+// The command line's options, and what their help says.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tb/command_bench.h"
+#include "tb/command_explain.h"
+#include "tb/command_render.h"
+#include "tb/command_scene.h"
+#include "tb/command_trace.h"
+#include "tb/command_verify.h"
+#include "tb/command_view.h"
+
+namespace CLI {
+class App;
+}
+
+namespace racebeam {
+
+/// Each adds the command of that name to `app`; its options go to `options`, which outlive it.
+void add_render(CLI::App& app, RenderOptions& options);
+void add_bench(CLI::App& app, BenchOptions& options);
+void add_verify(CLI::App& app, VerifyOptions& options);
+void add_scene(CLI::App& app, SceneOptions& options);
+void add_view(CLI::App& app, ViewOptions& options);
+void add_explain(CLI::App& app, ExplainOptions& options);
+void add_trace(CLI::App& app, TraceOptions& options);
+
+}  // namespace racebeam

@@ -1,0 +1,15 @@
+// What `racebeam trace --diff` says.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace racebeam {
+
+/// Compares two dumps and prints their first difference. `shared_only`: signals that one of them
+/// has not are no difference. Returns the exit code. Throws UsageError: no dump, nothing shared.
+int report_diff(const std::string& a_path, const std::string& b_path, bool shared_only);
+
+}  // namespace racebeam
