@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int OverviewLines = 100;  ///< from here on an overview, unless --scope says more
+
 void check_usage(const TraceOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --diff; `racebeam trace --help` shows what it takes");
@@ -66,19 +68,26 @@ TraceWindow window_of(const TraceOptions& options, const Show& show, const knobs
   return reader.around(*found, options.lines);
 }
 
-// Simulates up to the window, then clock by clock. The clocks written.
+// Simulates up to the window, then looks at every clock of it. The clocks written.
 std::int64_t write_window(SignalBench& bench, SignalTrace& trace, const TraceWindow& window,
                           const Raster& raster) {
   const std::int64_t first = window.from.ordinal(raster), last = window.to.ordinal(raster);
   bench.seek(window.from.frame);
   bench.settle();
   if (const auto before = first % raster.frame_clocks()) bench.advance(static_cast<int>(before));
-  std::int64_t clock = first;
-  for (; clock <= last && !interrupted(); ++clock) {
-    trace.sample(point_at(clock, raster));
-    bench.advance(1);
+  std::int64_t next = first;
+  bench.each_clock([&] {
+    trace.sample(point_at(next, raster));
+    ++next;
+  });
+  for (std::int64_t at = first; at < last && !interrupted();) {
+    const auto clocks = std::min(last - at, raster.line_clocks() - at % raster.line_clocks());
+    bench.advance(static_cast<int>(clocks));
+    at += clocks;
   }
-  return clock - first;
+  bench.settle();
+  bench.each_clock({});
+  return next - first;
 }
 
 }  // namespace
@@ -100,9 +109,12 @@ int command_trace(const TraceOptions& options) {
   SignalBench bench(setting);
   const int period = clock_period_ps(setting.k.clocks_per_pixel);
   VcdWriter vcd;
+  const bool wide = window.to.ordinal(raster) - window.from.ordinal(raster) >=
+                    OverviewLines * static_cast<std::int64_t>(raster.line_clocks());
   const TraceSelection selection{options.scopes, static_cast<int>(options.depth)};
   SignalTrace trace(
-      bench, raster, period, selection, [&](int frame) { return show.part(frame); }, vcd);
+      bench, raster, period, selection, wide && options.scopes.empty(),
+      [&](int frame) { return show.part(frame); }, vcd);
   catch_interrupts();
   WaveFile file(options.output);
   vcd.stream(file.vcd(), "racebeam: " + show.name());

@@ -76,7 +76,11 @@ struct SignalBench::Platform {
   int frame_clock = 0;  // of the frame that is being simulated
   std::uint64_t clocks = 0;
 
+  std::function<void()> look;
+  int looks = 0;  // how often it was changed
+
   void watch();
+  void look_each_clock();
 
   explicit Platform(const Options& o)
       : options(o),
@@ -173,6 +177,26 @@ SignalBench::Frame SignalBench::render() {
 void SignalBench::settle() {
   while (sc_core::sc_pending_activity_at_current_time()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   for (auto& lockstep : platform_->locksteps) lockstep->settle();
+}
+
+void SignalBench::each_clock(std::function<void()> look) {
+  platform_->look = std::move(look);
+  ++platform_->looks;
+  if (platform_->look) platform_->look_each_clock();
+}
+
+// A process that wakes itself as long as nobody else is to look.
+void SignalBench::Platform::look_each_clock() {
+  sc_core::sc_spawn_options process;
+  process.spawn_method();
+  sc_core::sc_spawn(
+      [this, mine = looks] {
+        if (mine != looks) return;
+        for (auto& lockstep : locksteps) lockstep->settle();
+        look();
+        sc_core::next_trigger(period);
+      },
+      sc_core::sc_gen_unique_name("look"), &process);
 }
 
 const sc_core::sc_module& SignalBench::dut() const { return platform_->dut; }

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,6 +41,9 @@ class SignalBench final : public ChipBench {
   Frame render() override;
   /// Lets all wires settle without a clock: after seek(), and after construction, they have not.
   void settle();
+  /// From now on `look` is called in every clock once its wires have settled, beginning with the
+  /// clock that the bench stands in; an empty one ends that. Without one there is no cost.
+  void each_clock(std::function<void()> look);
   /// The chip, to be looked into between clocks.
   const sc_core::sc_module& dut() const;
   std::uint64_t clocks() const override;

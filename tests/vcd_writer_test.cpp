@@ -72,7 +72,7 @@ TEST(VcdWriter, SignalsHaveSeveralNamesAndWords) {
             "$var wire 10 ! i2 [9:0] $end\n$var string 1 \" state_name $end\n"
             "$scope module u_subdivider $end\n$var wire 10 ! i2_o [9:0] $end\n"
             "$upscope $end\n$upscope $end\n$enddefinitions $end\n"
-            "#0\nb0000000101 !\nsray_pattern \"\n#9\n");
+            "#0\nb101 !\nsray_pattern \"\n#9\n");
 }
 
 TEST(VcdWriter, AStreamedFileIsTheText) {
@@ -88,7 +88,7 @@ TEST(VcdWriter, AStreamedFileIsTheText) {
   file.commit();
   std::ifstream in(folder / "s.vcd");
   const std::string got{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_GT(got.size(), 500000u);
+  EXPECT_GT(got.size(), 400000u);
   EXPECT_TRUE(got == whole.text("both", 40000));
 }
 

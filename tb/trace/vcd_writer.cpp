@@ -3,6 +3,7 @@
 #include "tb/trace/vcd_writer.h"
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 #include <stdexcept>
 
@@ -40,8 +41,8 @@ std::string move(const std::vector<std::string>& from, const std::vector<std::st
 
 int VcdWriter::add_signal(const std::string& scope, const std::string& name, int bits) {
   if (started_) throw std::logic_error(name + " comes after the first change");
-  signals_.push_back({bits});
-  const int signal = static_cast<int>(signals_.size()) - 1;
+  const int signal = static_cast<int>(signals_.size());
+  signals_.push_back({bits, code(signal) + "\n"});
   names_.push_back({scope, name, signal});
   return signal;
 }
@@ -60,11 +61,6 @@ void VcdWriter::alias(const std::string& scope, const std::string& name, int sig
   names_.push_back({scope, name, signal});
 }
 
-VcdWriter::Signal& VcdWriter::at(std::uint64_t time, int signal) {
-  if (time < time_) throw std::logic_error("time runs backwards");
-  return signals_.at(static_cast<std::size_t>(signal));
-}
-
 // To the time of the next change.
 void VcdWriter::step(std::uint64_t time) {
   constexpr std::size_t Enough = 1 << 16;
@@ -74,37 +70,43 @@ void VcdWriter::step(std::uint64_t time) {
     file_->write(changes_.data(), changes_.size());
     changes_.clear();
   }
-  if (time > time_ || !started_) changes_ += "#" + std::to_string(time) + "\n";
+  if (time == time_ && started_) return;
+  if (time < time_) throw std::logic_error("time runs backwards");
+  char text[24] = "#";
+  char* const end = std::to_chars(text + 1, text + sizeof text, time).ptr;
+  *end = '\n';
+  changes_.append(text, end + 1);
   started_ = true;
   time_ = time;
 }
 
-void VcdWriter::change(std::uint64_t time, int signal, std::uint64_t value) {
-  Signal& s = at(time, signal);
-  if (s.known && s.value == value) return;
-  s.known = true;
-  s.value = value;
+void VcdWriter::write(std::uint64_t time, Signal& signal, std::uint64_t value) {
+  signal.known = true;
+  signal.value = value;
   step(time);
-  if (s.bits == 1) {
-    changes_ += (value & 1 ? "1" : "0") + code(signal) + "\n";
+  if (signal.bits == 1) {
+    (changes_ += value & 1 ? '1' : '0') += signal.ending;
     return;
   }
-  char digits[66];
-  digits[0] = 'b';
-  for (int bit = 0; bit < s.bits; ++bit)
-    digits[s.bits - bit] = static_cast<char>('0' + (value >> bit & 1));
-  changes_.append(digits, static_cast<std::size_t>(s.bits) + 1).append(" " + code(signal) + "\n");
+  char digits[66];  // "b", up to 64, " "; a reader fills in the zeros to the left
+  char* to = digits + sizeof digits;
+  *--to = ' ';
+  value &= ~std::uint64_t{0} >> (64 - signal.bits);
+  do *--to = static_cast<char>('0' + (value & 1));
+  while (value >>= 1);
+  *--to = 'b';
+  changes_.append(to, digits + sizeof digits) += signal.ending;
 }
 
 void VcdWriter::change(std::uint64_t time, int signal, const std::string& word) {
-  Signal& s = at(time, signal);
+  Signal& s = signals_[static_cast<std::size_t>(signal)];
   if (s.known && s.word == word) return;
   s.known = true;
   s.word = word;
   step(time);
   std::string shown = word.empty() ? "_" : word;
   std::replace(shown.begin(), shown.end(), ' ', '_');
-  changes_ += "s" + shown + " " + code(signal) + "\n";
+  changes_ += "s" + shown + " " + s.ending;
 }
 
 std::string VcdWriter::header(const std::string& comment) const {

@@ -31,7 +31,10 @@ class VcdWriter {
 
   /// The signal has this value from `time` on; nothing is written if it had it already. Times
   /// never fall.
-  void change(std::uint64_t time, int signal, std::uint64_t value);
+  void change(std::uint64_t time, int signal, std::uint64_t value) {
+    Signal& s = signals_[static_cast<std::size_t>(signal)];
+    if (!s.known || s.value != value) write(time, s, value);
+  }
   /// The same of a signal of add_text(); blanks become `_`.
   void change(std::uint64_t time, int signal, const std::string& word);
 
@@ -50,13 +53,14 @@ class VcdWriter {
  private:
   struct Signal {
     int bits;
+    std::string ending;  ///< of a line with a change: the identifier code
     bool known = false;
     std::uint64_t value = 0;
     std::string word{};
   };
 
   int add_signal(const std::string& scope, const std::string& name, int bits);
-  Signal& at(std::uint64_t time, int signal);
+  void write(std::uint64_t time, Signal& signal, std::uint64_t value);
   void step(std::uint64_t time);
   std::string header(const std::string& comment) const;
 

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/trace/chip_signals.h"
+
+#include <map>
+#include <set>
+#include <type_traits>
+#include <utility>
+
+namespace racebeam {
+
+namespace {
+
+constexpr int WidestWire = 32;
+
+/// Calls found(bits, contents) if `object` is a wire.
+template <class Found, int... Bits>
+void if_wire(const sc_core::sc_object& object, const Found& found,
+             std::integer_sequence<int, Bits...>) {
+  const auto as = [&](auto* signal, int bits) {
+    if (!signal) return;
+    const auto& value = signal->read();
+    if constexpr (std::is_same_v<decltype(value), const bool&>)
+      found(bits, wire_contents{&value, nullptr});
+    else found(bits, wire_contents{nullptr, &value});
+  };
+  (as(dynamic_cast<const wire<Bits + 1>*>(&object), Bits + 1), ...);
+}
+
+/// Registers and the like; not the clock again, which RTL has at every level.
+void add_inner(std::vector<ChipSignal>& all, std::vector<probe> probes, const std::string& scope,
+               std::set<std::string> known) {
+  for (probe& one : probes) {
+    if (!known.insert(one.name).second) continue;
+    const std::string path = scope + "." + one.name;
+    const auto dot = path.rfind('.');
+    ChipSignal signal{path.substr(0, dot), path.substr(dot + 1), one.bits, {}, std::move(one.read)};
+    if (!signal.is_clock()) all.push_back(std::move(signal));
+  }
+}
+
+void add_unit(std::vector<ChipSignal>& all, const sc_core::sc_module& unit,
+              const std::string& scope) {
+  std::set<std::string> ports;
+  for (const any_port* port : ports_of(unit)) {
+    ports.insert(port->port_name());
+    all.push_back({scope, port->port_name(), port->bits(), port->contents()});
+  }
+  if (const auto* inside = dynamic_cast<const probed*>(&unit))  // RTL names its ports again
+    add_inner(all, inside->probes(), scope, std::move(ports));
+}
+
+}  // namespace
+
+std::vector<ChipSignal> chip_signals(const SignalBench& bench) {
+  std::vector<ChipSignal> all;
+  add_unit(all, bench.dut(), "chip");
+  for (const auto* child : bench.dut().get_child_objects()) {
+    if_wire(
+        *child,
+        [&](int bits, wire_contents wire) {
+          all.push_back({"chip", child->basename(), bits, wire});
+        },
+        std::make_integer_sequence<int, WidestWire>());
+  }
+  for (const auto* child : bench.dut().get_child_objects())
+    if (const auto* unit = dynamic_cast<const sc_core::sc_module*>(child))
+      add_unit(all, *unit, std::string("chip.") + unit->basename());
+  for (const Lockstep* lockstep : bench.locksteps()) {
+    const std::string unit = lockstep->unit();
+    add_inner(all, lockstep->probes(),
+              unit == WholeChip ? "chip.rtl" : "chip." + instance_of(unit) + ".rtl", {});
+  }
+  return all;
+}
+
+const std::vector<std::string>* state_words(std::string path) {
+  static const std::map<std::string, std::vector<std::string>> all = {
+      {"u_subdivider.state_q", {"left", "right", "bisect", "return"}},
+      {"u_camera_unit.phase_q", {"product", "load", "scale", "run"}},
+      {"u_navigator.nav_state_q",
+       {"idle", "to_plus", "check_plus", "check_minus", "finish", "store", "adjust", "7",
+        "try_plus", "try_done", "try_check_plus", "try_check_minus", "try_next", "13", "14",
+        "15"}}};
+  if (const auto rtl = path.find(".rtl."); rtl != std::string::npos) path.erase(rtl, 4);
+  for (const auto& [end, words] : all)
+    if (path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0)
+      return &words;
+  return nullptr;
+}
+
+}  // namespace racebeam

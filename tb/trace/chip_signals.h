@@ -1,0 +1,45 @@
+// The signals of the chip on a SignalBench, whatever its units are made of.
+//
+// A wire and the ports at its ends are one signal with several names: `chip.i2`,
+// `chip.u_subdivider.i2_o`. Registers lie beside the ports of their unit, `chip.u_subdivider.i1_q`,
+// at the same path in the model and in RTL; what RTL has besides joins them. In lockstep the RTL's
+// side is `chip.u_subdivider.rtl`.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tb/signal_bench.h"
+
+namespace racebeam {
+
+/// One signal under one of its names.
+struct ChipSignal {
+  std::string scope, name;                 ///< "chip.u_subdivider", "i1_q"
+  int bits;                                ///< 1..64
+  wire_contents wire{};                    ///< of a wire or port
+  std::function<std::uint64_t()> inner{};  ///< reads a register, or a signal inside RTL
+
+  std::string path() const { return scope + "." + name; }
+  bool is_port() const { return !inner; }
+  bool is_clock() const { return name == "clk_i"; }
+  /// The same for all names of a wire; nullptr of an inner signal.
+  const void* carrier() const {
+    return wire.bit ? static_cast<const void*>(wire.bit) : static_cast<const void*>(wire.word);
+  }
+  /// The raw bits, once the bench has settled.
+  std::uint64_t read() const { return inner ? inner() : static_cast<std::uint64_t>(wire.value()); }
+};
+
+/// All names, unit after unit. They can be read as long as the bench lives.
+std::vector<ChipSignal> chip_signals(const SignalBench& bench);
+
+/// The words of a register that holds a state, by value; nullptr: it holds none.
+const std::vector<std::string>* state_words(std::string path);
+
+}  // namespace racebeam
