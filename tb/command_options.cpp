@@ -199,7 +199,10 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
 void add_trace(CLI::App& app, TraceOptions& options) {
   CLI::App* trace =
       app.add_subcommand("trace", "Write the chip's signals as a waveform, or compare two");
-  trace->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+  trace
+      ->add_option("scene", options.scene,
+                   "demo, or a scene file; or a waveform FILE.vcd for --picture to draw")
+      ->type_name("SCENE");
   const auto text = [&](const char* name, std::string& to, const char* type, const char* help) {
     trace->add_option(name, to, help)->type_name(type)->check(NotEmpty);
   };
@@ -209,6 +212,8 @@ void add_trace(CLI::App& app, TraceOptions& options) {
   };
   text("-o,--output", options.output, "FILE",
        "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it");
+  text("--picture", options.picture, "FILE.svg",
+       "Draw the window, for documents; of at most 400 clocks and 100 signals");
   text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
   text("--to", options.to, "FRAME:LINE[:CLOCK]", "Last clock; without CLOCK the line's last");
   text(

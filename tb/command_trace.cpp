@@ -13,11 +13,12 @@
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/open_show.h"
-#include "tb/output_file.h"
 #include "tb/set_knob.h"
+#include "tb/trace/clocked_waves.h"
 #include "tb/trace/diff_report.h"
-#include "tb/trace/gtkw_file.h"
+#include "tb/trace/draw_waveform.h"
 #include "tb/trace/signal_trace.h"
+#include "tb/trace/trace_files.h"
 #include "tb/trace/trigger.h"
 #include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
@@ -31,11 +32,12 @@ namespace {
 void check_usage(const TraceOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --diff; `racebeam trace --help` shows what it takes");
-  if (options.output.empty()) throw UsageError("-o FILE.vcd or FILE.fst says where to write");
-  const std::string extension = fs::path(options.output).extension().string();
-  if (extension != ".vcd" && extension != ".fst")
+  if (options.output.empty() && options.picture.empty())
+    throw UsageError("-o FILE.vcd or FILE.fst, or --picture FILE.svg, says where to write");
+  if (!options.picture.empty()) check_picture_name(options.picture);
+  if (!options.output.empty() && !is_waveform(options.output))
     throw UsageError(options.output + ": a waveform ends with .vcd or .fst");
-  if (extension == ".fst") need_vcd2fst();
+  if (fs::path(options.output).extension() == ".fst") need_vcd2fst();
   if (options.around.empty() && (options.from.empty() || options.to.empty()))
     throw UsageError(
         "a whole frame is over a hundred megabytes: say --from FRAME:LINE and --to FRAME:LINE, or "
@@ -81,11 +83,22 @@ std::int64_t write_window(SignalBench& bench, SignalTrace& trace, const TraceWin
   return clock - first;
 }
 
+int draw(const TraceOptions& options, const TraceSelection& selection) {
+  if (!(options.from + options.to + options.around + options.output).empty() ||
+      !options.assignments.empty() || !options.units.empty())
+    throw UsageError(options.scene +
+                     " is a waveform and drawn as it is; of the other options only --scope and "
+                     "--depth mean something there");
+  return draw_waveform(options.scene, options.picture, selection);
+}
+
 }  // namespace
 
 int command_trace(const TraceOptions& options) {
   if (!options.diff.empty())
     return report_diff(options.diff.at(0), options.diff.at(1), options.shared);
+  const TraceSelection selection{options.scopes, static_cast<int>(options.depth)};
+  if (is_waveform(options.scene)) return draw(options, selection);
   check_usage(options);
   const Show show = open_show(options.scene);
   SignalBench::Options setting{show.standard_knobs()};
@@ -94,27 +107,24 @@ int command_trace(const TraceOptions& options) {
   setting.program = show.program();
   const Raster raster(setting.k.clocks_per_pixel, setting.k.speed);
   const TraceWindow window = window_of(options, show, setting.k, raster);
+  if (!options.picture.empty())
+    check_picture_clocks(window.to.ordinal(raster) - window.from.ordinal(raster) + 1);
   const UseOption use(setting.k, show.program(), true);
   for (const std::string& choice : options.units) use.use(setting.units, choice);
 
   SignalBench bench(setting);
   const int period = clock_period_ps(setting.k.clocks_per_pixel);
   VcdWriter vcd;
-  const TraceSelection selection{options.scopes, static_cast<int>(options.depth)};
   SignalTrace trace(
       bench, raster, period, selection, [&](int frame) { return show.part(frame); }, vcd);
   catch_interrupts();
-  WaveFile file(options.output);
-  vcd.stream(file.vcd(), "racebeam: " + show.name());
+  TraceFiles files(options.output, options.picture, "racebeam: " + show.name(), vcd);
   const std::int64_t clocks = write_window(bench, trace, window, raster);
   const std::int64_t end = window.from.ordinal(raster) + clocks;
-  vcd.finish(static_cast<std::uint64_t>(end) * static_cast<std::uint64_t>(period));
-  file.commit();
-  write_text(gtkw_path(options.output), gtkw_text(options.output, vcd));
+  files.commit(static_cast<std::uint64_t>(end) * static_cast<std::uint64_t>(period));
   const bool whole = end > window.to.ordinal(raster);
-  tell(fmt::format("{} {} and {}: {}, {}", whole ? "wrote" : "stopped early; kept", options.output,
-                   gtkw_path(options.output), counted(vcd.names().size(), "signal"),
-                   counted(clocks, "clock")));
+  tell(fmt::format("{} {}: {}, {}", whole ? "wrote" : "stopped early; kept", files.names(),
+                   counted(vcd.names().size(), "signal"), counted(clocks, "clock")));
   return whole ? ExitGood : ExitInterrupted;
 }
 

@@ -11,7 +11,9 @@ namespace racebeam {
 
 /// The command line as it was written.
 struct TraceOptions {
-  std::string scene, output, from, to;
+  std::string scene;  ///< or a waveform to draw
+  std::string output, from, to;
+  std::string picture;              ///< SVG
   std::string around;               ///< a trigger, or empty
   long long lines = 1;              ///< before and after it
   std::vector<std::string> scopes;  ///< patterns of paths
