@@ -199,7 +199,10 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
 void add_trace(CLI::App& app, TraceOptions& options) {
   CLI::App* trace =
       app.add_subcommand("trace", "Write the chip's signals as a waveform, or compare two");
-  trace->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+  trace
+      ->add_option("scene", options.scene,
+                   "demo, or a scene file; or a waveform FILE.vcd for --picture to draw")
+      ->type_name("SCENE");
   const auto text = [&](const char* name, std::string& to, const char* type, const char* help) {
     trace->add_option(name, to, help)->type_name(type)->check(NotEmpty);
   };
@@ -209,15 +212,27 @@ void add_trace(CLI::App& app, TraceOptions& options) {
   };
   text("-o,--output", options.output, "FILE",
        "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it");
+  text("--picture", options.picture, "FILE.svg",
+       "Draw the window, for documents; of at most 400 clocks and 100 signals");
   text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
   text("--to", options.to, "FRAME:LINE[:CLOCK]", "Last clock; without CLOCK the line's last");
   text(
       "--around", options.around, "TRIGGER",
-      "first-starved, first-restart or max-stack instead: looked for in the frame of --from, 0, or "
-      "up to --to");
-  trace->add_option("--lines", options.lines, "Lines before and after the one of --around")
-      ->type_name("N")
+      "first-starved, first-restart, max-stack, or mismatch (of units in lockstep) instead: looked "
+      "for from --from, 0, up to --to, the end of that frame");
+  text("--when", options.when, "CONDITION",
+       "The first clock in which it is true instead: 'u_stacks.sd_q == 4 && line == 240'; looked "
+       "for as --around is");
+  const auto number = [&](const char* name, auto& to, const char* help) {
+    return trace->add_option(name, to, help)->type_name("N");
+  };
+  number("--lines", options.lines, "Lines before and after the one of --around or --when")
       ->capture_default_str();
+  number("--pre", options.pre, "Clocks before it instead of lines");
+  number("--post", options.post, "Clocks after it instead of lines");
+  number("--record", options.record,
+         "Flight recorder: run from --from to --to, and write the last N lines only if something "
+         "happens: --when, a mismatch in lockstep, a crash, Ctrl-C");
   list("--scope", options.scopes, "GLOB",
        "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
        "repeatable");

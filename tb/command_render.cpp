@@ -48,8 +48,11 @@ void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* so
 }
 
 // Says how units in lockstep went. True if one differs.
-bool report_locksteps(const RenderPlan& plan, const std::vector<std::string>& assignments,
-                      const ChipBench& bench, int frames) {
+bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, const ChipBench& bench,
+                      int frames) {
+  std::string rest;
+  for (const std::string& units : options.units) rest += " --use " + units;
+  for (const std::string& assignment : options.assignments) rest += " --set " + assignment;
   std::vector<int> rendered;
   for (int i = 0; i <= frames && i < plan.frames; ++i) rendered.push_back(plan.frame(i));
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
@@ -60,12 +63,13 @@ bool report_locksteps(const RenderPlan& plan, const std::vector<std::string>& as
     if (!unit->first()) continue;
     differs = true;
     const BeamPlace place = place_of(unit->first()->clock, rendered, raster);
-    std::string repeat = fmt::format("racebeam render {} --first {} --use {}=lockstep", plan.scene,
-                                     place.frame, unit->unit());
-    for (const std::string& assignment : assignments) repeat += " --set " + assignment;
+    const std::string repeat =
+        fmt::format("racebeam render {} --first {}{}", plan.scene, place.frame, rest);
+    const std::string closer = trace_command(plan.scene, place.frame, unit->unit(), rest);
     const std::string window =
         plan.folder.empty() ? "" : save_window(*unit->first(), "chip", plan.k, plan.folder);
-    tell(explain(*unit->first(), {"in " + place_text(place, raster), repeat, window, plan.k}));
+    tell(explain(*unit->first(),
+                 {"in " + place_text(place, raster), repeat, closer, window, plan.k}));
   }
   return differs;
 }
@@ -95,8 +99,7 @@ int command_render(const RenderOptions& options) {
             [&] { return report.text(); });
   if (plan.json) print(report.text());
   else if (report.frames() > 1) print(table_total(report));
-  const bool differs =
-      chip && report_locksteps(plan, options.assignments, chip->bench(), report.frames());
+  const bool differs = chip && report_locksteps(plan, options, chip->bench(), report.frames());
   const bool whole = report.frames() == plan.frames;
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;

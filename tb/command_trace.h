@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,15 @@ namespace racebeam {
 
 /// The command line as it was written.
 struct TraceOptions {
-  std::string scene, output, from, to;
-  std::string around;               ///< a trigger, or empty
-  long long lines = 1;              ///< before and after it
-  std::vector<std::string> scopes;  ///< patterns of paths
+  std::string scene;  ///< or a waveform to draw
+  std::string output, from, to;
+  std::string picture;                 ///< SVG
+  std::string around;                  ///< a trigger, or empty
+  std::string when;                    ///< a condition, or empty
+  long long lines = 1;                 ///< before and after it
+  std::optional<long long> pre, post;  ///< clocks before and after it instead
+  long long record = 0;                ///< lines that a flight recorder keeps; 0: none
+  std::vector<std::string> scopes;     ///< patterns of paths
   long long depth = 0;
   std::vector<std::string> assignments, units;
   std::vector<std::string> diff;  ///< two files to compare instead of a scene

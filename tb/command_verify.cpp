@@ -48,6 +48,14 @@ std::string repeat_text(const VerifyOptions& options, const std::string& unit, l
   return text;
 }
 
+/// The command that shows the chip around a difference in a frame.
+std::string closer_text(const VerifyOptions& options, const std::string& unit, int frame) {
+  const std::string word = word_of(options, unit), file = word.substr(unit.size());
+  std::string rest = " --use " + unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
+  for (const std::string& assignment : options.assignments) rest += " --set " + assignment;
+  return trace_command(options.scene, frame, unit, rest);
+}
+
 /// All units at once, in the chip, over frames spread over the show, until each has differed.
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
                                         const knobs& k, const unit_choices& choices) {
@@ -73,6 +81,7 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
       const BeamPlace place = place_of(d->clock, frames, raster);
       const DifferenceContext context{"in " + place_text(place, raster),
                                       repeat_text(options, unit->unit(), options.frames, 0),
+                                      closer_text(options, unit->unit(), place.frame),
                                       save_window(*d, verdict.traffic, k, options.folder), k};
       verdict.first =
           FirstDifference{d->port, d->clock, d->expected, d->got, place, explain(*d, context)};

@@ -47,17 +47,23 @@ std::string knobs_text(const knobs& k) {
   return text.empty() ? "default" : text;
 }
 
+std::string trace_command(const std::string& scene, int frame, const std::string& unit,
+                          const std::string& rest) {
+  return fmt::format("racebeam trace {} --from {}:{}{} --around mismatch -o {}_mismatch.vcd", scene,
+                     frame, FirstLine, rest, unit);
+}
+
 std::string explain(const LockstepDifference& d, const DifferenceContext& context) {
   return fmt::format(
       "{}: port {} differs {} ({} clocks compared):\n"
       "  the model has {:#x}, the RTL {:#x}\n{}"
       "the last {} clocks, hexadecimal, the last column is that of the difference:\n{}"
-      "knobs: {}\n{}repeat: {}\n",
+      "knobs: {}\n{}repeat: {}\n{}",
       d.unit, d.port, context.where, d.clock, d.expected, d.got,
       d.wiring.empty() ? "" : d.wiring + "\n",
       std::min<std::size_t>(d.history.size(), LockstepDifference::Shown), d.text(),
       knobs_text(context.k), context.window.empty() ? "" : "waveform: " + context.window + "\n",
-      context.repeat);
+      context.repeat, context.closer.empty() ? "" : "all signals: " + context.closer + "\n");
 }
 
 std::string save_window(const LockstepDifference& difference, const std::string& traffic,

@@ -30,9 +30,15 @@ std::string knobs_text(const knobs& k);
 struct DifferenceContext {
   std::string where;   ///< "in frame 7, ...", or "of random traffic"
   std::string repeat;  ///< the command that shows it again
+  std::string closer;  ///< the command that traces all signals around it; empty: none
   std::string window;  ///< file of the waveform; empty: none
   knobs k;
 };
+
+/// A command that traces all signals around a difference in `frame`. `rest`: --use and --set as
+/// they were given.
+std::string trace_command(const std::string& scene, int frame, const std::string& unit,
+                          const std::string& rest);
 
 /// The first difference explained: unit, port, place, values, the last clocks of both sides, knobs,
 /// and for racebeam_top whether a unit or the wiring is at fault.

@@ -207,6 +207,10 @@ std::vector<const Lockstep*> SignalBench::locksteps() const {
   return all;
 }
 
+int SignalBench::period_ps() const {
+  return clock_period_ps(platform_->options.k.clocks_per_pixel);
+}
+
 std::uint64_t SignalBench::clocks() const { return platform_->clocks; }
 const SoundMonitor* SignalBench::sound() const { return platform_->sound.get(); }
 

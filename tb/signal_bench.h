@@ -46,6 +46,8 @@ class SignalBench final : public ChipBench {
   void each_clock(std::function<void()> look);
   /// The chip, to be looked into between clocks.
   const sc_core::sc_module& dut() const;
+  /// Of a clock, in picoseconds.
+  int period_ps() const;
   std::uint64_t clocks() const override;
   const SoundMonitor* sound() const override;
   std::vector<const Lockstep*> locksteps() const override;

@@ -14,6 +14,7 @@ namespace racebeam {
 namespace {
 
 constexpr const char* All = "all";
+constexpr const char* Beside = "lockstep:";  ///< before a file
 
 /// Nothing but pins is set: racebeam_top has no parameters.
 bool is_taped_out(const knobs& k) {
@@ -51,10 +52,13 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   if (text == "model") return {};
   if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit)};
   if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit)};
-  const std::string extension = std::filesystem::path(text).extension().string();
+  const bool beside = text.rfind(Beside, 0) == 0;
+  const std::string file = beside ? text.substr(std::string(Beside).size()) : text;
+  const std::string extension = std::filesystem::path(file).extension().string();
   if (extension == ".sv" || extension == ".v" || extension == ".so")
-    return {unit_choice::Rtl, false, plugins_.users(unit, text)};
-  throw unknown_name("implementation", text, {"model", "rtl", "lockstep", "FILE.sv", "FILE.so"});
+    return {beside ? unit_choice::Model : unit_choice::Rtl, beside, plugins_.users(unit, file)};
+  throw unknown_name("implementation", text,
+                     {"model", "rtl", "lockstep", "FILE.sv", "FILE.so", "lockstep:FILE.sv"});
 }
 
 void UseOption::use_one(unit_choices& choices, const std::string& text) const {

@@ -75,7 +75,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned
                         d->expected,
                         d->got,
                         {},
-                        explain(*d, {"on random traffic", repeat,
+                        explain(*d, {"on random traffic", repeat, "",
                                      save_window(*d, verdict.traffic, dut.k, folder), dut.k})};
   return verdict;
 }

@@ -14,8 +14,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr int FirstColumn = -320;  // position of the first visible pixel
-
 bool any_matches(const std::vector<std::string>& patterns, const std::string& path) {
   return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
     return fnmatch(pattern.c_str(), path.c_str(), 0) == 0 ||
@@ -87,14 +85,13 @@ int SignalTrace::add(const ChipSignal& signal) {
 
 void SignalTrace::sample(const TracePoint& at) {
   const auto time = static_cast<std::uint64_t>(at.ordinal(raster_)) * period_;
-  const int position = raster_.clocks[static_cast<std::size_t>(at.clock)].position;
   const auto raw = [](int value, int bits) {
     return static_cast<std::uint64_t>(value & low_bits(bits));
   };
   if (clk_ != None) vcd_.change(time, clk_, 1);
   vcd_.change(time, frame_, raw(at.frame, FrameBits));
   vcd_.change(time, line_, raw(at.line, 10));
-  vcd_.change(time, pixel_, raw(position - FirstColumn, 11));
+  vcd_.change(time, pixel_, raw(at.pixel(raster_), 11));
   vcd_.change(time, clock_, raw(at.clock, 31));
   if (at.frame != shown_) vcd_.change(time, show_, part_(shown_ = at.frame));
   for (const Bit& one : bits_) vcd_.change(time, one.signal, *one.at);

@@ -69,4 +69,12 @@ TraceWindow TraceWindowReader::around(const TracePoint& point, long long lines) 
           point_at(end * raster_.line_clocks() - 1, raster_)};
 }
 
+TraceWindow TraceWindowReader::around(const TracePoint& point, long long before,
+                                      long long after) const {
+  const std::int64_t clock = point.ordinal(raster_);
+  const std::int64_t last = static_cast<std::int64_t>(frames_) * raster_.frame_clocks() - 1;
+  return {point_at(std::max<std::int64_t>(clock - before, 0), raster_),
+          point_at(std::min<std::int64_t>(clock + after, last), raster_)};
+}
+
 }  // namespace racebeam

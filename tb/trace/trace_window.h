@@ -20,6 +20,10 @@ struct TracePoint {
     return static_cast<std::int64_t>(frame) * raster.frame_clocks() +
            static_cast<std::int64_t>(line - FirstLine) * raster.line_clocks() + clock;
   }
+  /// -160..639; 0..639 are the visible columns.
+  int pixel(const Raster& raster) const {
+    return raster.clocks[static_cast<std::size_t>(clock)].position + VisibleColumns / 2;
+  }
 };
 
 /// The clock with this ordinal.
@@ -41,6 +45,8 @@ class TraceWindowReader {
 
   /// The line of `point`, with `lines` before and after it as far as the show has them.
   TraceWindow around(const TracePoint& point, long long lines) const;
+  /// `point` with so many clocks before and after it, as far as the show has them.
+  TraceWindow around(const TracePoint& point, long long before, long long after) const;
 
  private:
   TracePoint point(const char* option, const std::string& text, int clock) const;

@@ -4,13 +4,18 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 
 #include "tb/errors.h"
 
 namespace racebeam {
 
-VcdReader::VcdReader(const std::string& path) : path_(path), in_(path) {
-  if (!in_) throw UsageError("cannot read " + path);
+VcdReader::VcdReader(const std::string& path)
+    : VcdReader(std::make_unique<std::ifstream>(path), path) {}
+
+VcdReader::VcdReader(std::unique_ptr<std::istream> in, const std::string& name)
+    : path_(name), in_(std::move(in)) {
+  if (!*in_) throw UsageError("cannot read " + name);
   read_header();
 }
 
@@ -20,10 +25,10 @@ void VcdReader::broken(const std::string& what) const {
 
 void VcdReader::read_header() {
   std::vector<std::string> scopes;
-  for (std::string word; in_ >> word;) {
+  for (std::string word; *in_ >> word;) {
     if (word == "$scope") {
       std::string name;
-      in_ >> word >> name;
+      *in_ >> word >> name;
       scopes.push_back(name);
     } else if (word == "$upscope") {
       if (scopes.empty()) broken("$upscope without $scope");
@@ -31,12 +36,12 @@ void VcdReader::read_header() {
     } else if (word == "$var") {
       read_variable(scopes);
     } else if (word == "$enddefinitions") {
-      while (in_ >> word && word[0] != '#') {
+      while (*in_ >> word && word[0] != '#') {
       }
-      if (in_) take(word);
+      if (*in_) take(word);
       return;
     }
-    while (word != "$end" && in_ >> word) {
+    while (word != "$end" && *in_ >> word) {
     }
   }
   broken("$enddefinitions is missing");
@@ -44,10 +49,10 @@ void VcdReader::read_header() {
 
 void VcdReader::read_variable(const std::vector<std::string>& scopes) {
   std::string kind, bits, code, path;
-  in_ >> kind >> bits >> code;
+  *in_ >> kind >> bits >> code;
   for (const std::string& scope : scopes) path += scope + ".";
   std::string name;
-  in_ >> name;
+  *in_ >> name;
   const auto [at, is_new] = codes_.emplace(code, static_cast<int>(bits_.size()));
   if (is_new) {
     int number = 0;
@@ -56,7 +61,7 @@ void VcdReader::read_variable(const std::vector<std::string>& scopes) {
     bits_.push_back(kind == "string" ? 0 : number);
     values_.emplace_back();
   }
-  paths_[path + name] = at->second;
+  if (signals_.emplace(path + name, at->second).second) paths_.push_back(path + name);
 }
 
 // "#123": the next time.
@@ -70,7 +75,7 @@ void VcdReader::take(const std::string& word) {
 const std::vector<int>& VcdReader::advance() {
   changed_.clear();
   next_.reset();
-  for (std::string word; in_ >> word;) {
+  for (std::string word; *in_ >> word;) {
     if (word[0] == '#') {
       take(word);
       break;
@@ -78,7 +83,7 @@ const std::vector<int>& VcdReader::advance() {
     if (word[0] == '$') continue;  // $dumpvars, $end
     const bool vector = word[0] == 'b' || word[0] == 'r' || word[0] == 's';
     std::string value = vector ? word.substr(1) : word.substr(0, 1), code;
-    if (vector) in_ >> code;
+    if (vector) *in_ >> code;
     else code = word.substr(1);
     const auto at = codes_.find(code);
     if (at == codes_.end()) broken("a change of '" + code + "', which it does not declare");

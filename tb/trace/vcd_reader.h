@@ -5,8 +5,9 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
+#include <istream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -19,9 +20,13 @@ class VcdReader {
  public:
   /// Reads the header. Throws UsageError: no such file, or no VCD.
   explicit VcdReader(const std::string& path);
+  /// The same of a dump that lies elsewhere; `name` is what errors call it.
+  VcdReader(std::unique_ptr<std::istream> in, const std::string& name);
 
   /// Signals by path, "chip.u_stacks.tag_i"; several paths may be one signal.
-  const std::map<std::string, int>& signals() const { return paths_; }
+  const std::map<std::string, int>& signals() const { return signals_; }
+  /// All paths in the order of the file.
+  const std::vector<std::string>& paths() const { return paths_; }
   int bits(int signal) const { return bits_[static_cast<std::size_t>(signal)]; }
   /// Digits without leading zeros, or a word; empty until the first change.
   const std::string& value(int signal) const { return values_[static_cast<std::size_t>(signal)]; }
@@ -39,8 +44,9 @@ class VcdReader {
   [[noreturn]] void broken(const std::string& what) const;
 
   const std::string path_;
-  std::ifstream in_;
-  std::map<std::string, int> paths_;
+  const std::unique_ptr<std::istream> in_;
+  std::map<std::string, int> signals_;
+  std::vector<std::string> paths_;
   std::unordered_map<std::string, int> codes_;
   std::vector<int> bits_;
   std::vector<std::string> values_;

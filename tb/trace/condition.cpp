@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/trace/condition.h"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <list>
+#include <vector>
+
+#include "tb/errors.h"
+#include "tb/nearest.h"
+#include "tb/trace/chip_signals.h"
+#include "tb/trace/signal_look.h"
+#include "tb/trace/trace_window.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* NameCharacters =
+    "0123456789_.[]abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+double one_bit(double value, double bit) {
+  return static_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)) >>
+                                 static_cast<unsigned>(bit) &
+                             1);
+}
+
+double logical_not(double value) { return value == 0; }
+
+// "0x1f" at the start of `text`.
+int hexadecimal(const char* text, int* position, double* value) {
+  if (text[0] != '0' || (text[1] != 'x' && text[1] != 'X')) return 0;
+  char* end = nullptr;
+  *value = static_cast<double>(std::strtoull(text, &end, 16));
+  *position += static_cast<int>(end - text);
+  return end - text > 2;
+}
+
+/// muParser would take `=` for an assignment to the signal.
+void refuse_assignment(const std::string& text) {
+  for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+    if (at + 1 < text.size() && text[at + 1] == '=') ++at;
+    else if (at == 0 || std::string("=!<>").find(text[at - 1]) == std::string::npos)
+      throw UsageError(
+          fmt::format("--when '{}': '=' at character {}; to compare write '=='", text, at + 1));
+  }
+}
+
+}  // namespace
+
+struct Condition::Parser {
+  struct Variable {
+    std::function<double(const TracePoint&)> read;
+    double value = 0;
+  };
+
+  const std::string text;
+  const Raster& raster;
+  const std::vector<ChipSignal> signals;
+  mu::Parser parser;
+  std::list<Variable> variables;  // their places are known to the parser
+
+  Parser(const std::string& t, const SignalBench& bench, const Raster& r)
+      : text(t), raster(r), signals(chip_signals(bench)) {
+    refuse_assignment(text);
+    parser.DefineNameChars(NameCharacters);
+    parser.DefineInfixOprt("!", logical_not);
+    parser.DefineFun("bit", one_bit);
+    parser.AddValIdent(hexadecimal);
+    parser.SetVarFactory(make, this);
+    parser.SetExpr(text);
+    evaluate();
+    if (variables.empty())
+      throw UsageError("--when '" + text + "' names no signal; try 'u_stacks.sd_q == 4'");
+  }
+
+  double evaluate() {
+    try {
+      return parser.Eval();
+    } catch (const mu::Parser::exception_type& error) {
+      throw UsageError(fmt::format("--when '{}': {}", text, error.GetMsg()));
+    }
+  }
+
+  static double* make(const char* name, void* self) {
+    return static_cast<Parser*>(self)->variable(name);
+  }
+
+  double* variable(const std::string& name) {
+    variables.push_back({reader(name)});
+    return &variables.back().value;
+  }
+
+  std::function<double(const TracePoint&)> reader(const std::string& name) const {
+    const std::string in_beam = name.rfind("beam.", 0) == 0 ? name.substr(5) : name;
+    if (in_beam == "frame") return [](const TracePoint& at) { return at.frame; };
+    if (in_beam == "line") return [](const TracePoint& at) { return at.line; };
+    if (in_beam == "clock") return [](const TracePoint& at) { return at.clock; };
+    if (in_beam == "pixel") return [this](const TracePoint& at) { return at.pixel(raster); };
+    for (const std::string& path : {name, "chip." + name})
+      for (const ChipSignal& signal : signals)
+        if (signal.path() == path) return reader(signal);
+    for (const ChipSignal& signal : signals)
+      if (const auto* words = state_words(signal.path()))
+        if (const auto word = std::find(words->begin(), words->end(), name); word != words->end())
+          return [value = static_cast<double>(word - words->begin())](const TracePoint&) {
+            return value;
+          };
+    throw UsageError(
+        fmt::format("--when '{}': there is no signal '{}'; {}", text, name, hint(name)));
+  }
+
+  // The same name elsewhere, or the one that needs the fewest edits.
+  std::string hint(const std::string& name) const {
+    std::vector<std::string> known = {"frame", "line", "pixel", "clock"};
+    const std::string last = name.substr(name.rfind('.') + 1);
+    for (const ChipSignal& signal : signals) {
+      const std::string path = signal.path();
+      if (signal.name == last) return "did you mean '" + path + "'?";
+      known.insert(known.end(), {path, path.substr(path.find('.') + 1)});
+    }
+    const std::string close = nearest(name, known);
+    return close.empty() ? "a waveform of one clock shows all names"
+                         : "did you mean '" + close + "'?";
+  }
+
+  static std::function<double(const TracePoint&)> reader(const ChipSignal& signal) {
+    const bool is_signed = format_of(signal.name, signal.bits) == NumberFormat::Signed;
+    const double wrap = std::ldexp(1.0, signal.bits), half = wrap / 2;
+    return [signal, is_signed, wrap, half](const TracePoint&) {
+      const auto value = static_cast<double>(signal.read());
+      return is_signed && value >= half ? value - wrap : value;
+    };
+  }
+};
+
+Condition::Condition(const std::string& text, const SignalBench& bench, const Raster& raster)
+    : parser_(new Parser(text, bench, raster)) {}
+Condition::~Condition() = default;
+
+bool Condition::holds(std::int64_t clock) {
+  const TracePoint at = point_at(clock, parser_->raster);
+  for (auto& variable : parser_->variables) variable.value = variable.read(at);
+  return parser_->evaluate() != 0;
+}
+
+}  // namespace racebeam

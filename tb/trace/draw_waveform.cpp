@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/trace/draw_waveform.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "tb/console.h"
+#include "tb/counted.h"
+#include "tb/errors.h"
+#include "tb/output_file.h"
+#include "tb/trace/wave_picture.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+bool is_waveform(const std::string& path) {
+  const fs::path extension = fs::path(path).extension();
+  return extension == ".vcd" || extension == ".fst";
+}
+
+void check_picture_name(const std::string& picture) {
+  if (fs::path(picture).extension() != ".svg")
+    throw UsageError(picture + ": a picture of a waveform ends with .svg");
+}
+
+int draw_waveform(const std::string& dump, const std::string& picture,
+                  const TraceSelection& selection) {
+  if (picture.empty())
+    throw UsageError(dump + " is a waveform: --picture FILE.svg draws it, --diff compares two");
+  check_picture_name(picture);
+  if (fs::path(dump).extension() == ".fst")
+    throw UsageError("a picture is drawn of a VCD: `fst2vcd " + dump + " -o " +
+                     fs::path(dump).replace_extension(".vcd").string() + "` makes one");
+  VcdReader vcd(dump);
+  const ClockedWaves waves =
+      read_waves(vcd, [&](const std::string& path) { return selection.takes(path); });
+  write_text(picture, wave_picture(waves));
+  tell(fmt::format("wrote {}: {}, {}", picture, counted(waves.lanes.size(), "signal"),
+                   counted(static_cast<std::int64_t>(waves.clocks.size()), "clock")));
+  return ExitGood;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,36 @@
+// EventWatch: runs the chip until something happens, and has the clocks around it written.
+//
+// A condition, the first difference of a unit in lockstep, Ctrl-C, a crash.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "tb/trace/condition.h"
+#include "tb/trace/flight_recorder.h"
+#include "tb/trace/trace_run.h"
+
+namespace racebeam {
+
+struct EventWatch {
+  Condition* condition;  ///< or nullptr
+  std::int64_t keep;     ///< clocks before a crash or Ctrl-C; around() asks for no more
+  /// The clocks to be written when something happens in the first of them.
+  std::function<TraceWindow(const TracePoint&)> around;
+  /// Writes the window of a run that stands before it; returns the exit code.
+  std::function<int(TraceRun&, const TraceWindow&)> write;
+
+  /// Runs up to the clock `last`, and says what happened. Returns the exit code; nothing: nothing
+  /// happened.
+  std::optional<int> run(TraceRun& run, std::int64_t last) const;
+
+ private:
+  FlightEvent event(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,
+                    int detail = 0) const;
+};
+
+}  // namespace racebeam

@@ -1,0 +1,68 @@
+// FlightRecorder: the clocks before an event, written although nobody knew that it would come.
+//
+// Nothing is recorded. The run leaves copies of itself behind by fork(), at most two; a copy sleeps
+// until the event, and then simulates again, up to the event and with all signals on. That costs
+// the run a fork() every so many clocks. A copy is used once.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace racebeam {
+
+/// What happened in a clock, and the clocks to be written.
+struct FlightEvent {
+  enum Kind { Condition, Mismatch, Interrupt, Crash };
+  Kind kind;
+  std::int64_t clock, from, to;  ///< ordinals
+  int detail;                    ///< Mismatch: the number of the unit; Crash: the signal
+};
+
+class FlightRecorder {
+ public:
+  /// Events may ask for `keep` clocks before them. `replay` runs in a copy, which stands in the
+  /// clock it was made in, and returns the exit code.
+  FlightRecorder(std::int64_t keep, std::function<int(const FlightEvent&)> replay);
+  /// Dismisses the copies.
+  ~FlightRecorder();
+  FlightRecorder(const FlightRecorder&) = delete;
+  FlightRecorder& operator=(const FlightRecorder&) = delete;
+
+  /// The run stands in `clock`; the first call, and each after some time, leaves a copy there.
+  /// Throws std::runtime_error if the machine has no process left.
+  void pass(std::int64_t clock);
+  /// The oldest clock that can be asked for.
+  std::int64_t oldest() const { return copies_.front().clock; }
+  /// Lets a copy replay, and waits for it. Returns the exit code. Throws std::runtime_error if it
+  /// died.
+  int replay(const FlightEvent& event);
+  /// Until the end of this object a crash replays the `keep` clocks before it, and then kills the
+  /// program as it would have. `clock_now`: the last clock that was whole; it is called by a
+  /// signal handler.
+  void catch_crashes(std::function<std::int64_t()> clock_now);
+
+ private:
+  struct Copy {
+    pid_t process;
+    int order;  // pipe to it
+    std::int64_t clock;
+  };
+
+  static void crashed(int signal);
+  [[noreturn]] void wait_for_event(int orders);
+  int status_of(const FlightEvent& event);
+  void dismiss(const Copy& copy);
+
+  const std::int64_t keep_, step_;
+  const std::function<int(const FlightEvent&)> replay_;
+  std::function<std::int64_t()> clock_now_;
+  std::vector<Copy> copies_;  // oldest first
+};
+
+}  // namespace racebeam

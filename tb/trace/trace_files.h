@@ -1,0 +1,42 @@
+// TraceFiles: what `racebeam trace` leaves behind: a waveform with its save file, a picture, or
+// both.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tb/output_file.h"
+#include "tb/trace/vcd_writer.h"
+#include "tb/trace/wave_file.h"
+
+namespace racebeam {
+
+class TraceFiles {
+ public:
+  /// `waveform` or `picture` may be empty, not both. A long window is streamed from `vcd`, which
+  /// outlives this; one that is drawn is short, and stays in memory until the drawing is good.
+  /// Throws OutputError.
+  TraceFiles(const std::string& waveform, const std::string& picture, const std::string& comment,
+             VcdWriter& vcd);
+
+  /// Ends the files at this time. Until then, and if this throws, there are none. Throws
+  /// UsageError as read_waves() does, and OutputError.
+  void commit(std::uint64_t end);
+
+  /// "w.vcd and w.gtkw"
+  std::string names() const;
+
+ private:
+  void draw(const std::string& dump);
+
+  const std::string waveform_, picture_name_, comment_;
+  VcdWriter& vcd_;
+  std::optional<WaveFile> wave_;
+  std::optional<OutputFile> picture_;
+};
+
+}  // namespace racebeam
