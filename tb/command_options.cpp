@@ -221,7 +221,8 @@ void add_trace(CLI::App& app, TraceOptions& options) {
       "first-starved, first-restart, max-stack, or mismatch (of units in lockstep) instead: looked "
       "for from --from, 0, up to --to, the end of that frame");
   text("--when", options.when, "CONDITION",
-       "The first clock in which it is true instead: 'u_stacks.sd_q == 4 && line == 240'; looked "
+       "The first clock in which it is true instead: 'u_subdivider.sd_q == 4 && line == 240'; "
+       "looked "
        "for as --around is");
   const auto number = [&](const char* name, auto& to, const char* help) {
     return trace->add_option(name, to, help)->type_name("N");

@@ -68,11 +68,11 @@ void check_usage(const TraceOptions& options, const Raster& raster) {
   if (!options.output.empty() && !is_waveform(options.output))
     throw UsageError(options.output + ": a waveform ends with .vcd or .fst");
   if (fs::path(options.output).extension() == ".fst") need_vcd2fst();
+  check_search(options);
   if (!searches(options) && (options.from.empty() || options.to.empty()))
     throw UsageError(
         "the window is missing: say --from FRAME:LINE and --to FRAME:LINE, or --around "
-        "first-starved, or --when 'u_stacks.sd_q == 4'");
-  check_search(options);
+        "first-starved, or --when 'u_subdivider.sd_q == 4'");
   for (const auto& [name, clocks] : {std::pair{"--pre", options.pre}, {"--post", options.post}})
     check_range(name, clocks.value_or(0), 0, MostFramesAround * raster.frame_clocks());
   check_range("--depth", options.depth, 0, 9);

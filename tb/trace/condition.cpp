@@ -77,7 +77,7 @@ struct Condition::Parser {
     parser.SetExpr(text);
     evaluate();
     if (variables.empty())
-      throw UsageError("--when '" + text + "' names no signal; try 'u_stacks.sd_q == 4'");
+      throw UsageError("--when '" + text + "' names no signal; try 'u_subdivider.sd_q == 4'");
   }
 
   double evaluate() {

@@ -1,5 +1,5 @@
 // Condition: an expression over the signals of the chip, such as
-// `u_stacks.sd_q == 4 && line == 240`.
+// `u_subdivider.sd_q == 4 && line == 240`.
 //
 // A signal is named by its path, with or without `chip.` or `beam.`; words of states are numbers
 // (`u_subdivider.state_q == bisect`). Operators are those of C on numbers (! - * / + < <= > >= ==
