@@ -49,8 +49,9 @@ void check_usage(const TraceOptions& options) {
     throw UsageError(fmt::format("--depth {} is out of range; 0..9", options.depth));
 }
 
+// `marked`: what --around has found.
 TraceWindow window_of(const TraceOptions& options, const Show& show, const knobs& k,
-                      const Raster& raster) {
+                      const Raster& raster, std::optional<TracePoint>& marked) {
   const TraceWindowReader reader(show.frames(), raster);
   if (options.around.empty()) return reader.window(options.from, options.to);
   const std::string from = options.from.empty() ? "0:-273" : options.from;
@@ -63,6 +64,7 @@ TraceWindow window_of(const TraceOptions& options, const Show& show, const knobs
   if (!found)
     throw UsageError(fmt::format("nothing of {} from {} to {}; search further with --from and --to",
                                  options.around, from, to));
+  marked = found;
   tell(fmt::format("{}: frame {}, line {}, clock {}", options.around, found->frame, found->line,
                    found->clock));
   return reader.around(*found, options.lines);
@@ -106,7 +108,8 @@ int command_trace(const TraceOptions& options) {
   if (const std::string why = show.objection(setting.k); !why.empty()) throw UsageError(why);
   setting.program = show.program();
   const Raster raster(setting.k.clocks_per_pixel, setting.k.speed);
-  const TraceWindow window = window_of(options, show, setting.k, raster);
+  std::optional<TracePoint> marked;
+  const TraceWindow window = window_of(options, show, setting.k, raster, marked);
   if (!options.picture.empty())
     check_picture_clocks(window.to.ordinal(raster) - window.from.ordinal(raster) + 1);
   const UseOption use(setting.k, show.program(), true);
@@ -121,7 +124,10 @@ int command_trace(const TraceOptions& options) {
   TraceFiles files(options.output, options.picture, "racebeam: " + show.name(), vcd);
   const std::int64_t clocks = write_window(bench, trace, window, raster);
   const std::int64_t end = window.from.ordinal(raster) + clocks;
-  files.commit(static_cast<std::uint64_t>(end) * static_cast<std::uint64_t>(period));
+  const auto time = [&](std::int64_t clock) { return static_cast<std::uint64_t>(clock * period); };
+  GtkwWindow seen{time(window.from.ordinal(raster)), time(end), time(1), {}};
+  if (marked) seen.marker = time(marked->ordinal(raster));
+  files.commit(seen);
   const bool whole = end > window.to.ordinal(raster);
   tell(fmt::format("{} {}: {}, {}", whole ? "wrote" : "stopped early; kept", files.names(),
                    counted(vcd.names().size(), "signal"), counted(clocks, "clock")));

@@ -134,7 +134,7 @@ class Drawing {
   std::string ruler() const {
     double widest = 0;
     for (const auto& clock : waves_.clocks) widest = std::max(widest, text_width(clock.number));
-    const std::size_t every = widest + 4 < width_ ? 1 : widest + 4 < 2 * width_ ? 2 : 5;
+    const std::size_t every = widest + 9 < width_ ? 1 : widest + 9 < 2 * width_ ? 2 : 5;
     std::string lines, text, place;
     double free = 0;
     for (std::size_t n = 0; n < waves_.clocks.size(); ++n) {
@@ -154,7 +154,7 @@ class Drawing {
       place = clock.place;
     }
     return lines +
-           fmt::format("<text class=\"name clock\" x=\"{}\" y=\"36\">clock</text>\n",
+           fmt::format("<text class=\"name legend\" x=\"{}\" y=\"36\">clock</text>\n",
                        svg_number(left_ - Gap)) +
            text;
   }
