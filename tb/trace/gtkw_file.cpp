@@ -32,11 +32,11 @@ const char* flags_of(NumberFormat format) {
   }
 }
 
-/// A colour of GTKWave: 0 normal, 2 orange, 3 yellow, 4 green, 5 blue.
+/// A colour of GTKWave: 0 normal, 2 orange, 3 yellow, 4 green, 7 violet.
 int colour_of(SignalRole role) {
   switch (role) {
     case SignalRole::Words: return 3;
-    case SignalRole::Input: return 5;
+    case SignalRole::Input: return 7;
     case SignalRole::Output: return 2;
     case SignalRole::Register: return 4;
     default: return 0;

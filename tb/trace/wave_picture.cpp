@@ -30,7 +30,7 @@ text{font-family:monospace;font-size:11px;fill:#24292f}
 .level{fill:none}
 .unknown{fill:url(#unknown);stroke:#aab2bb}
 .wire{stroke:#57606a}.wire .bus,.wire .fill{fill:#f1f3f5}
-.input{stroke:#2563b8}.input .bus,.input .fill{fill:#e3eefc}
+.input{stroke:#7a3ec8}.input .bus,.input .fill{fill:#f1e8fd}
 .output{stroke:#c05a12}.output .bus,.output .fill{fill:#fdecdd}
 .register{stroke:#22823c}.register .bus,.register .fill{fill:#e2f3e4}
 .words{stroke:#9a7400}.words .bus{fill:#fdf5cf}
