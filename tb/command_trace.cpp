@@ -29,6 +29,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+TraceSelection selection_of(const TraceOptions& options) {
+  if (options.depth < 0 || options.depth > 9)
+    throw UsageError(fmt::format("--depth {} is out of range; 0..9", options.depth));
+  return {options.scopes, static_cast<int>(options.depth)};
+}
+
 void check_usage(const TraceOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --diff; `racebeam trace --help` shows what it takes");
@@ -45,8 +51,6 @@ void check_usage(const TraceOptions& options) {
   if (options.lines < 0 || options.lines >= FrameLines)
     throw UsageError(
         fmt::format("--lines {} is out of range; 0..{}", options.lines, FrameLines - 1));
-  if (options.depth < 0 || options.depth > 9)
-    throw UsageError(fmt::format("--depth {} is out of range; 0..9", options.depth));
 }
 
 // `marked`: what --around has found.
@@ -99,7 +103,7 @@ int draw(const TraceOptions& options, const TraceSelection& selection) {
 int command_trace(const TraceOptions& options) {
   if (!options.diff.empty())
     return report_diff(options.diff.at(0), options.diff.at(1), options.shared);
-  const TraceSelection selection{options.scopes, static_cast<int>(options.depth)};
+  const TraceSelection selection = selection_of(options);
   if (is_waveform(options.scene)) return draw(options, selection);
   check_usage(options);
   const Show show = open_show(options.scene);
