@@ -33,14 +33,19 @@ namespace {
 constexpr const char* Mismatch = "mismatch";
 constexpr int MostFramesAround = 10;
 
-/// Something is to be found first: the window follows from it.
-bool searches(const TraceOptions& options) {
-  return !options.around.empty() || !options.when.empty() || options.record > 0;
-}
-
 void check_range(const char* option, long long value, long long min, long long max) {
   if (value < min || value > max)
     throw UsageError(fmt::format("{} {} is out of range; {}..{}", option, value, min, max));
+}
+
+TraceSelection selection_of(const TraceOptions& options) {
+  check_range("--depth", options.depth, 0, 9);
+  return {options.scopes, static_cast<int>(options.depth)};
+}
+
+/// Something is to be found first: the window follows from it.
+bool searches(const TraceOptions& options) {
+  return !options.around.empty() || !options.when.empty() || options.record > 0;
 }
 
 void check_search(const TraceOptions& options) {
@@ -75,7 +80,6 @@ void check_usage(const TraceOptions& options, const Raster& raster) {
         "first-starved, or --when 'u_subdivider.sd_q == 4'");
   for (const auto& [name, clocks] : {std::pair{"--pre", options.pre}, {"--post", options.post}})
     check_range(name, clocks.value_or(0), 0, MostFramesAround * raster.frame_clocks());
-  check_range("--depth", options.depth, 0, 9);
 }
 
 /// The part of the show that is searched: to the end of the frame unless --to says more.
@@ -151,7 +155,7 @@ int draw(const TraceOptions& options, const TraceSelection& selection) {
 int command_trace(const TraceOptions& options) {
   if (!options.diff.empty())
     return report_diff(options.diff.at(0), options.diff.at(1), options.shared);
-  const TraceSelection selection{options.scopes, static_cast<int>(options.depth)};
+  const TraceSelection selection = selection_of(options);
   if (is_waveform(options.scene)) return draw(options, selection);
   if (options.scene.empty())
     throw UsageError("scene is required, or --diff; `racebeam trace --help` shows what it takes");

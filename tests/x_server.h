@@ -35,13 +35,14 @@ inline bool eventually(const std::function<bool()>& happened) {
 class XServer {
  public:
   /// Starts it and points DISPLAY at it. Throws std::runtime_error if it is not installed.
-  XServer() {
+  explicit XServer(int width = 1024, int height = 768) : width_(width), height_(height) {
+    const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe");
     pid_ = fork();
     if (pid_ == 0) {
       const std::string number = std::to_string(pipe_ends[1]);
-      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1024x768x24", "-fbdir",
+      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", size.c_str(), "-fbdir",
              folder_.path().c_str(), "-nolisten", "tcp", nullptr);
       _exit(127);
     }
@@ -88,6 +89,9 @@ class XServer {
     return pixels(left, top, width, height);
   }
 
+  /// The whole screen.
+  std::vector<std::uint8_t> screen() const { return pixels(0, 0, width_, height_); }
+
  private:
   // The screen is an XWD file: a header of big-endian words, colours of 32 bits after it.
   std::vector<std::uint8_t> pixels(int left, int top, int width, int height) const {
@@ -113,6 +117,7 @@ class XServer {
     return rgb;
   }
 
+  const int width_, height_;
   ScratchFolder folder_;
   pid_t pid_ = -1;
 };

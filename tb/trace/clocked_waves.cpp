@@ -77,8 +77,9 @@ std::multimap<int, std::size_t> add_lanes(const VcdReader& vcd, int clock, Clock
     chosen = chosen || !(is_clock || is_beam);
     const auto [at, is_new] = scopes.emplace(scope, static_cast<int>(groups.size()));
     if (is_new) groups.emplace_back();
-    groups[static_cast<std::size_t>(at->second)].push_back(
-        {scope, name, vcd.bits(signal), is_clock, {}});
+    auto& group = groups[static_cast<std::size_t>(at->second)];
+    group.insert(is_clock ? group.begin() : group.end(),
+                 {scope, name, vcd.bits(signal), is_clock, {}});
   }
   if (!chosen)
     throw UsageError("no signal is under --scope and --depth; names look like " +

@@ -69,7 +69,8 @@ std::optional<int> EventWatch::run(TraceRun& run, std::int64_t last) const {
       tell(fmt::format("crashed after {}: {}", place_of(what.clock, raster),
                        strsignal(what.detail)));
     const std::int64_t from = std::max(what.from, run.clock());
-    return write(run, {point_at(from, raster), point_at(what.to, raster)});
+    const TracePoint event = point_at(what.clock, raster);
+    return write(run, {point_at(from, raster), point_at(what.to, raster), event});
   });
   recorder.pass(run.clock());
   const Differences differences(run, run.bench().locksteps());

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/gtkw_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -28,27 +32,76 @@ const char* flags_of(NumberFormat format) {
   }
 }
 
-/// A colour of GTKWave: 0 normal, 2 orange, 3 yellow, 4 green, 5 blue.
+/// A colour of GTKWave: 0 normal, 2 orange, 3 yellow, 4 green, 7 violet.
 int colour_of(SignalRole role) {
   switch (role) {
     case SignalRole::Words: return 3;
-    case SignalRole::Input: return 5;
+    case SignalRole::Input: return 7;
     case SignalRole::Output: return 2;
     case SignalRole::Register: return 4;
     default: return 0;
   }
 }
 
-void add_group(std::string& text, const std::string& scope, bool open,
-               const std::vector<const VcdWriter::Name*>& names, const VcdWriter& vcd) {
-  text += std::string(open ? OpenGroup : FoldedGroup) + "\n-" + scope + "\n";
+/// What shows the tracer at work, from its state to the beam.
+constexpr const char* Overview[] = {"chip.u_subdivider.state_q_name",
+                                    "chip.u_subdivider.i1_q",
+                                    "chip.u_subdivider.i2_q",
+                                    "chip.u_subdivider.idx2_q",
+                                    "chip.restart",
+                                    "chip.sp",
+                                    "chip.room",
+                                    "chip.emit",
+                                    "chip.len_m1",
+                                    "chip.value",
+                                    "chip.ack",
+                                    "chip.fill",
+                                    "chip.starving",
+                                    "chip.consume",
+                                    "chip.display",
+                                    "chip.uo_o"};
+
+constexpr std::size_t FewSignals = 80;
+
+using Names = std::vector<const VcdWriter::Name*>;
+
+void add_group(std::string& text, const std::string& title, bool open, const Names& names,
+               const VcdWriter& vcd) {
+  text += std::string(open ? OpenGroup : FoldedGroup) + "\n-" + title + "\n";
   for (const auto* name : names) {
     const int bits = vcd.bits(name->signal);
     text += std::string(flags_of(format_of(name->name, bits))) + "\n[color] " +
             std::to_string(colour_of(role_of(name->name, bits))) + "\n" + name->path() +
             (bits > 1 ? "[" + std::to_string(bits - 1) + ":0]" : "") + "\n";
   }
-  text += std::string(open ? EndOpenGroup : EndFoldedGroup) + "\n-" + scope + "\n";
+  text += std::string(open ? EndOpenGroup : EndFoldedGroup) + "\n-" + title + "\n";
+}
+
+Names overview(const VcdWriter& vcd) {
+  Names names;
+  for (const char* path : Overview)
+    for (const auto& name : vcd.names())
+      if (name.path() == path) names.push_back(&name);
+  return names;
+}
+
+// The window fills the view, but a clock is wide enough for the number in it.
+std::string view(const GtkwWindow& window) {
+  constexpr double Width = 1400, Tree = 40, Signals = 280, Waves = Width - Tree - Signals - 40;
+  constexpr double Narrowest = 46, Widest = 80, UnitOfZoom = 200;  // pixels
+  const double clocks =
+      static_cast<double>(window.end - window.begin) / static_cast<double>(window.period);
+  const double pixels = std::clamp(Waves / std::max(clocks, 1.), Narrowest, Widest);
+  const std::uint64_t half = static_cast<std::uint64_t>(Waves / pixels / 2) * window.period;
+  std::uint64_t start = window.begin;
+  if (window.marker && *window.marker > window.begin + half) start = *window.marker - half;
+  std::string named;
+  for (char marker = 'a'; marker <= 'z'; ++marker) named += " -1";
+  return fmt::format(
+      "[timestart] {}\n[size] {} 800\n*{:.6f} {}{}\n[sst_width] {}\n"
+      "[signals_width] {}\n[sst_expanded] 0\n",
+      start, Width, -std::log2(static_cast<double>(window.period) * UnitOfZoom / pixels),
+      window.marker ? std::to_string(*window.marker) : "-1", named, Tree, Signals);
 }
 
 }  // namespace
@@ -57,14 +110,18 @@ std::string gtkw_path(const std::string& dump) {
   return fs::path(dump).replace_extension(".gtkw").string();
 }
 
-std::string gtkw_text(const std::string& dump, const VcdWriter& vcd) {
-  std::map<std::string, std::vector<const VcdWriter::Name*>> groups;
+std::string gtkw_text(const std::string& dump, const VcdWriter& vcd, const GtkwWindow& window) {
+  std::map<std::string, Names> groups;
   for (const auto& name : vcd.names()) groups[name.scope].push_back(&name);
   std::string text = "[*] racebeam\n[dumpfile] \"" + fs::absolute(dump).string() +
-                     "\"\n[timestart] 0\n[sst_expanded] 1\n";
+                     "\"\n[savefile] \"" + fs::absolute(gtkw_path(dump)).string() + "\"\n" +
+                     view(window);
   add_group(text, "beam", true, groups["beam"], vcd);
+  const bool few = vcd.names().size() <= FewSignals;
+  if (const Names tracer = overview(vcd); !few && !tracer.empty())
+    add_group(text, "overview", true, tracer, vcd);
   for (const auto& [scope, names] : groups)
-    if (scope != "beam") add_group(text, scope, false, names, vcd);
+    if (scope != "beam") add_group(text, scope, few, names, vcd);
   return text;
 }
 

@@ -14,17 +14,20 @@ constexpr int WidestNumber = 64;
 
 /// Whether a name without its suffix is one of two's complement (see the ports' comments).
 bool is_signed(const std::string& name) {
-  for (const char* stem : {"dr1", "dr2", "delta", "corner", "position", "start_", "velocity",
-                           "nav_position", "ddr_", "head_len", "h_pos", "v_pos", "x2"})
-    if (name.rfind(stem, 0) == 0) return name.rfind("start_room", 0) != 0;
+  for (const char* stem :
+       {"dr1", "dr2", "delta", "corner", "position", "start_x", "start_y", "start_z", "velocity",
+        "nav_position", "ddr_", "head_len", "h_pos", "v_pos", "x2"})
+    if (name.rfind(stem, 0) == 0) return true;
   return name == "line" || name == "pixel" || name == "y" || name == "y_i" || name == "y_o";
 }
 
 /// Numbers that mean a place, a length or a count.
 bool is_count(const std::string& name) {
   for (const char* stem :
-       {"i1", "i2", "idx", "lo_", "hi_", "len", "tail_len", "fill", "sp", "sd", "top_i2", "frame",
-        "clock", "depth", "angle", "half_size", "step_size", "tail_ptr"})
+       {"i1",       "i2",       "idx",        "lo_",       "hi_",       "len",
+        "tail_len", "fill",     "sp",         "sd",        "top_i2",    "frame",
+        "clock",    "depth",    "angle",      "half_size", "step_size", "tail_ptr",
+        "room",     "nav_room", "start_room", "neighbour"})
     if (name.rfind(stem, 0) == 0) return true;
   return false;
 }
@@ -66,7 +69,7 @@ std::string formatted(const std::string& digits, NumberFormat format, int bits) 
   const std::string padded = std::string((4 - bits % 4) % 4, '0') + all + digits;
   for (std::size_t at = 0; at < padded.size(); at += 4)
     text += "0123456789abcdef"[std::stoi(padded.substr(at, 4), nullptr, 2)];
-  return "0x" + text;
+  return bits < 4 ? text : "0x" + text;
 }
 
 }  // namespace racebeam

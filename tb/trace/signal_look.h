@@ -18,8 +18,8 @@ enum class SignalRole { Wire, Input, Output, Register, Words };
 NumberFormat format_of(const std::string& name, int bits);
 SignalRole role_of(const std::string& name, int bits);
 
-/// The value as it is shown: "-3", "306", "0x0a", or the word itself. `digits` are binary, leading
-/// zeros left out or not; digits that are not 0 or 1 make it "x".
+/// The value as it is shown: "-3", "306", "0x0a" ("5" if it has 3 bits), or the word itself.
+/// `digits` are binary, leading zeros left out or not; digits that are not 0 or 1 make it "x".
 std::string formatted(const std::string& digits, NumberFormat format, int bits);
 
 }  // namespace racebeam

@@ -5,7 +5,6 @@
 #include <memory>
 #include <sstream>
 
-#include "tb/trace/gtkw_file.h"
 #include "tb/trace/wave_picture.h"
 
 namespace racebeam {
@@ -18,12 +17,12 @@ TraceFiles::TraceFiles(const std::string& waveform, const std::string& picture,
   else vcd.stream(wave_->vcd(), comment);
 }
 
-void TraceFiles::commit(std::uint64_t end) {
-  if (picture_) draw(vcd_.text(comment_, end));
-  else vcd_.finish(end);
+void TraceFiles::commit(const GtkwWindow& window) {
+  if (picture_) draw(vcd_.text(comment_, window.end));
+  else vcd_.finish(window.end);
   if (wave_) {
     wave_->commit();
-    write_text(gtkw_path(waveform_), gtkw_text(waveform_, vcd_));
+    write_text(gtkw_path(waveform_), gtkw_text(waveform_, vcd_, window));
   }
   if (picture_) picture_->commit();
 }

@@ -5,11 +5,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "tb/output_file.h"
+#include "tb/trace/gtkw_file.h"
 #include "tb/trace/vcd_writer.h"
 #include "tb/trace/wave_file.h"
 
@@ -23,9 +23,9 @@ class TraceFiles {
   TraceFiles(const std::string& waveform, const std::string& picture, const std::string& comment,
              VcdWriter& vcd);
 
-  /// Ends the files at this time. Until then, and if this throws, there are none. Throws
-  /// UsageError as read_waves() does, and OutputError.
-  void commit(std::uint64_t end);
+  /// Ends the files with the end of `window`. Until then, and if this throws, there are none.
+  /// Throws UsageError as read_waves() does, and OutputError.
+  void commit(const GtkwWindow& window);
 
   /// "w.vcd and w.gtkw"
   std::string names() const;

@@ -66,7 +66,7 @@ TraceWindow TraceWindowReader::around(const TracePoint& point, long long lines) 
   const std::int64_t first = std::max<std::int64_t>(line - lines, 0);
   const std::int64_t end = std::min<std::int64_t>(line + lines, last) + 1;
   return {point_at(first * raster_.line_clocks(), raster_),
-          point_at(end * raster_.line_clocks() - 1, raster_)};
+          point_at(end * raster_.line_clocks() - 1, raster_), point};
 }
 
 TraceWindow TraceWindowReader::around(const TracePoint& point, long long before,
@@ -74,7 +74,7 @@ TraceWindow TraceWindowReader::around(const TracePoint& point, long long before,
   const std::int64_t clock = point.ordinal(raster_);
   const std::int64_t last = static_cast<std::int64_t>(frames_) * raster_.frame_clocks() - 1;
   return {point_at(std::max<std::int64_t>(clock - before, 0), raster_),
-          point_at(std::min<std::int64_t>(clock + after, last), raster_)};
+          point_at(std::min<std::int64_t>(clock + after, last), raster_), point};
 }
 
 }  // namespace racebeam

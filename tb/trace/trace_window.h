@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "tb/raster.h"
@@ -32,6 +33,7 @@ TracePoint point_at(std::int64_t ordinal, const Raster& raster);
 /// Both ends are in it.
 struct TraceWindow {
   TracePoint from, to;
+  std::optional<TracePoint> mark{};  ///< what it lies around
 };
 
 /// A show of `frames` frames on a raster.

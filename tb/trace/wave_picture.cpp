@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "tb/trace/signal_look.h"
 #include "tb/trace/wave_shapes.h"
@@ -16,7 +18,8 @@ namespace racebeam {
 namespace {
 
 constexpr double Margin = 14, LaneHeight = 25, HeadingHeight = 27, RulerHeight = 40, Gap = 12,
-                 LegendHeight = 30, NarrowestClock = 20, WidestClock = 54, WideEnough = 2400;
+                 LegendHeight = 30, NumberMargin = 9, LeastNames = 80, NarrowestClock = 20,
+                 WidestClock = 54, WideEnough = 2400;
 
 constexpr const char* Style = R"(<style>
 text{font-family:monospace;font-size:11px;fill:#24292f}
@@ -30,7 +33,7 @@ text{font-family:monospace;font-size:11px;fill:#24292f}
 .level{fill:none}
 .unknown{fill:url(#unknown);stroke:#aab2bb}
 .wire{stroke:#57606a}.wire .bus,.wire .fill{fill:#f1f3f5}
-.input{stroke:#2563b8}.input .bus,.input .fill{fill:#e3eefc}
+.input{stroke:#7a3ec8}.input .bus,.input .fill{fill:#f1e8fd}
 .output{stroke:#c05a12}.output .bus,.output .fill{fill:#fdecdd}
 .register{stroke:#22823c}.register .bus,.register .fill{fill:#e2f3e4}
 .words{stroke:#9a7400}.words .bus{fill:#fdf5cf}
@@ -102,7 +105,7 @@ class Drawing {
   // As wide as the values need that stay for a few clocks only.
   double clock_width() {
     width_ = 1;
-    double needed = NarrowestClock;
+    double needed = std::max(NarrowestClock, widest_number() + NumberMargin + 1);
     for (const auto& lane : waves_.lanes)
       for (const WaveRun& run : runs(lane))
         if (lane.bits != 1)
@@ -132,31 +135,45 @@ class Drawing {
 
   // Lines for the clocks, their numbers, and where frames and lines begin.
   std::string ruler() const {
-    double widest = 0;
-    for (const auto& clock : waves_.clocks) widest = std::max(widest, text_width(clock.number));
-    const std::size_t every = widest + 4 < width_ ? 1 : widest + 4 < 2 * width_ ? 2 : 5;
-    std::string lines, text, place;
-    double free = 0;
+    const double number = widest_number() + NumberMargin;
+    const std::size_t every = number < width_ ? 1 : number < 2 * width_ ? 2 : 5;
+    std::string lines, numbers;
+    std::vector<std::pair<double, std::string>> places;
     for (std::size_t n = 0; n < waves_.clocks.size(); ++n) {
       const auto& clock = waves_.clocks[n];
       const double at = x(clock.time);
-      const bool placed = clock.place != place;
+      const bool placed = places.empty() || clock.place != places.back().second;
+      if (placed) places.emplace_back(at, clock.place);
       lines += fmt::format("<path class=\"grid{}\" d=\"M{} {}V{}\"/>\n", placed ? " strong" : "",
                            svg_number(at), placed ? Margin : RulerHeight, svg_number(bottom_));
       if (n % every == 0)
-        text += fmt::format("<text class=\"clock\" x=\"{}\" y=\"36\">{}</text>\n",
-                            svg_number(at + width_ / 2), xml_text(clock.number));
-      if (placed && at >= free) {
-        text += fmt::format("<text class=\"place\" x=\"{}\" y=\"20\">{}</text>\n",
-                            svg_number(at + Slope), xml_text(clock.place));
-        free = at + text_width(clock.place) * 1.1 + Gap;
-      }
-      place = clock.place;
+        numbers += fmt::format("<text class=\"clock\" x=\"{}\" y=\"36\">{}</text>\n",
+                               svg_number(at + width_ / 2), xml_text(clock.number));
     }
     return lines +
-           fmt::format("<text class=\"name clock\" x=\"{}\" y=\"36\">clock</text>\n",
+           fmt::format("<text class=\"name legend\" x=\"{}\" y=\"36\">clock</text>\n",
                        svg_number(left_ - Gap)) +
-           text;
+           numbers + place_names(places);
+  }
+
+  // At the right of where it begins; if the next begins too soon, at the left of that.
+  static std::string place_names(const std::vector<std::pair<double, std::string>>& places) {
+    std::string text;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const auto& [at, place] = places[n];
+      const bool fits =
+          n + 1 == places.size() || at + text_width(place) * 1.1 + Gap < places[n + 1].first;
+      text += fmt::format("<text class=\"place\" x=\"{}\" y=\"20\"{}>{}</text>\n",
+                          svg_number(fits ? at + Slope : places[n + 1].first - Slope),
+                          fits ? "" : " text-anchor=\"end\"", xml_text(place));
+    }
+    return text;
+  }
+
+  double widest_number() const {
+    double widest = 0;
+    for (const auto& clock : waves_.clocks) widest = std::max(widest, text_width(clock.number));
+    return widest;
   }
 
   // What the colours mean.
@@ -176,7 +193,7 @@ class Drawing {
   }
 
   const ClockedWaves& waves_;
-  double left_ = 0, right_ = 0, bottom_ = RulerHeight;
+  double left_ = LeastNames, right_ = 0, bottom_ = RulerHeight;
   double width_ = 1;  // of a clock
   std::string body_;
   bool used_[std::size(RoleClass)] = {};

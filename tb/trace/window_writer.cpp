@@ -40,8 +40,12 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
     tell("stopped before the window; nothing is written");
     return ExitInterrupted;
   }
-  files.commit(static_cast<std::uint64_t>(end) *
-               static_cast<std::uint64_t>(run.bench().period_ps()));
+  const auto time = [&](std::int64_t clock) {
+    return static_cast<std::uint64_t>(clock * run.bench().period_ps());
+  };
+  GtkwWindow seen{time(first), time(end), time(1), {}};
+  if (window.mark) seen.marker = time(window.mark->ordinal(raster));
+  files.commit(seen);
   const bool whole = end > last;
   tell((whole ? "wrote " : "stopped early; kept ") + files.names() + ": " +
        counted(vcd.names().size(), "signal") + ", " + counted(end - first, "clock"));
