@@ -12,12 +12,15 @@
 #include "tb/counted.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
+#include "tb/nearest.h"
 #include "tb/open_show.h"
 #include "tb/output_file.h"
+#include "tb/render_options.h"
 #include "tb/set_knob.h"
 #include "tb/trace/diff_report.h"
 #include "tb/trace/gtkw_file.h"
 #include "tb/trace/signal_trace.h"
+#include "tb/trace/transaction_bench.h"
 #include "tb/trace/trigger.h"
 #include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
@@ -38,8 +41,14 @@ void check_usage(const TraceOptions& options) {
   if (extension == ".fst") need_vcd2fst();
   if (options.around.empty() && (options.from.empty() || options.to.empty()))
     throw UsageError(
-        "a whole frame is over a hundred megabytes: say --from FRAME:LINE and --to FRAME:LINE, or "
-        "--around first-starved");
+        "a whole frame is over a hundred megabytes, some megabytes with --level tlm: say --from "
+        "FRAME:LINE and --to FRAME:LINE, or --around first-starved");
+  if (options.level != LevelSignal && options.level != LevelTlm)
+    throw unknown_name("level", options.level, {LevelTlm, LevelSignal});
+  if (options.level == LevelTlm && !options.units.empty())
+    throw UsageError(
+        "--use puts RTL between the wires of --level signal; tlm has none: leave out --level tlm, "
+        "or --use");
   if (options.lines < 0 || options.lines >= FrameLines)
     throw UsageError(
         fmt::format("--lines {} is out of range; 0..{}", options.lines, FrameLines - 1));
@@ -97,16 +106,22 @@ int command_trace(const TraceOptions& options) {
   const UseOption use(setting.k, show.program(), true);
   for (const std::string& choice : options.units) use.use(setting.units, choice);
 
-  SignalBench bench(setting);
   const int period = clock_period_ps(setting.k.clocks_per_pixel);
   VcdWriter vcd;
   const TraceSelection selection{options.scopes, static_cast<int>(options.depth)};
-  SignalTrace trace(
-      bench, raster, period, selection, [&](int frame) { return show.part(frame); }, vcd);
+  const auto part = [&](int frame) { return show.part(frame); };
   catch_interrupts();
   WaveFile file(options.output);
   vcd.stream(file.vcd(), "racebeam: " + show.name());
-  const std::int64_t clocks = write_window(bench, trace, window, raster);
+  std::int64_t clocks;
+  if (options.level == LevelTlm) {
+    TransactionTrace trace(raster, period, selection, part, vcd);
+    clocks = TransactionBench(setting.k, setting.program, raster, trace).run(window, interrupted);
+  } else {
+    SignalBench bench(setting);
+    SignalTrace trace(bench, raster, period, selection, part, vcd);
+    clocks = write_window(bench, trace, window, raster);
+  }
   const std::int64_t end = window.from.ordinal(raster) + clocks;
   vcd.finish(static_cast<std::uint64_t>(end) * static_cast<std::uint64_t>(period));
   file.commit();

@@ -1,4 +1,5 @@
-// `racebeam trace`: a window of the chip's signals as a waveform; two waveforms compared.
+// `racebeam trace`: a window of the chip's signals or transactions as a waveform; two waveforms
+// compared.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -12,6 +13,7 @@ namespace racebeam {
 /// The command line as it was written.
 struct TraceOptions {
   std::string scene, output, from, to;
+  std::string level = "signal";     ///< or "tlm": transactions
   std::string around;               ///< a trigger, or empty
   long long lines = 1;              ///< before and after it
   std::vector<std::string> scopes;  ///< patterns of paths

@@ -79,7 +79,7 @@ std::string gtkw_text(const std::string& dump, const VcdWriter& vcd) {
                      "\"\n[timestart] 0\n[sst_expanded] 1\n";
   add_group(text, "beam", true, groups["beam"], vcd);
   for (const auto& [scope, names] : groups)
-    if (scope != "beam") add_group(text, scope, false, names, vcd);
+    if (scope != "beam") add_group(text, scope, scope.rfind("tlm.", 0) == 0, names, vcd);
   return text;
 }
 

@@ -11,7 +11,7 @@
 namespace racebeam {
 
 /// The text of a save file that shows the signals of `vcd`, stored as `dump`: the beam, the chip's
-/// wires, and a folded group for each unit.
+/// wires, and a folded group for each unit; or the beam and the streams of transactions.
 std::string gtkw_text(const std::string& dump, const VcdWriter& vcd);
 
 /// Where it belongs: F.gtkw for F.vcd and F.fst.
