@@ -86,12 +86,12 @@ class TransactionTrace final : public chip_observer {
   std::array<int, Streams> signals_{};
   std::array<std::vector<Transaction>, Streams> transactions_;
 
-  int frame_ = 0, from_ = 0, to_ = 0;               // the frame's clocks in the window
-  int line_begin_ = None;                           // while the tracer is on a line
-  int interval_begin_ = 0, next_ = 0;               // what it works on: since when, first pixel
-  int room_begin_ = 0, room_ = None, depth_ = 0;    // where it is
-  int restart_begin_ = 0, restart_ = None;          // pixel that it goes on from
-  int run_y_ = 0, run_ = 0, run_end_ = 0, colour_;  // columns of one colour, not added yet
+  int frame_ = 0, from_ = 0, to_ = 0;                   // the frame's clocks in the window
+  int line_begin_ = None;                               // while the tracer is on a line
+  int interval_begin_ = 0, next_ = 0;                   // what it works on: since when, first pixel
+  int room_begin_ = 0, room_ = None, depth_ = 0;        // where it is
+  int restart_begin_ = 0, restart_ = None;              // pixel that it goes on from
+  int run_y_ = 0, run_ = 0, run_end_ = 0, colour_ = 0;  // columns of one colour, not added yet
 };
 
 }  // namespace racebeam
