@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const char* const Paths[] = {"tlm.tracer.line",    "tlm.tracer.interval", "tlm.tracer.room",
                              "tlm.tracer.restart", "tlm.display.shown",   "tlm.display.line",
@@ -109,39 +110,44 @@ TEST_F(CliTraceTlmTest, TransactionsFollowTheKnobs) {
   EXPECT_GT(hurried.count("tlm.tracer.restart"), 100);
 }
 
-/// Both levels on one time axis.
-class TraceLevels : public CliTraceTlmTest, public testing::WithParamInterface<const char*> {};
+/// Both levels on one time axis: a scene and a knob.
+class TraceLevels : public CliTraceTlmTest,
+                    public testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
 TEST_P(TraceLevels, TransactionsBeginAndEndWithTheSignalsOfTheWiredChip) {
-  const std::vector<std::string> window = {"--from", "20:-30", "--to", "20:-27"};
-  const Wave tlm = trace("tlm", window, GetParam()), wires = trace("signal", window, GetParam());
+  const auto [scene, knob] = GetParam();
+  const std::vector<std::string> window = {"--from", "20:-30", "--to", "20:-27", "--set", knob};
+  const Wave tlm = trace("tlm", window, scene), wires = trace("signal", window, scene);
   EXPECT_EQ(tlm.begin, wires.begin);
   EXPECT_EQ(tlm.end, wires.end);
   for (const char* same : {"beam.frame", "beam.line", "beam.part"})
     EXPECT_TRUE(tlm[same] == wires[same]) << same;
-  const auto high = [&](const char* path, std::uint64_t time) {
-    return wires[path].at(time) == "1";
-  };
+  const auto high = [&](const char* path, std::uint64_t t) { return wires[path].at(t) == "1"; };
   const Wave::Signal &interval = tlm["tlm.tracer.interval"], &room = tlm["tlm.tracer.room"];
   int taken = 0;
-  for (std::uint64_t time = tlm.begin, period = clock_period_ps(2); time < tlm.end;
-       time += period) {
-    const bool takes = high("chip.emit", time) && high("chip.u_interval_fifo.ack_o", time) &&
-                       !high("chip.line_done", time);
-    const std::string now = interval.at(time), next = interval.at(time + period);
+  for (std::uint64_t t = tlm.begin, period = clock_period_ps(2); t < tlm.end; t += period) {
+    const bool takes =
+        high("chip.emit", t) && high("chip.u_interval_fifo.ack_o", t) && !high("chip.line_done", t);
+    const std::string now = interval.at(t), next = interval.at(t + period);
     const bool ends = now != "-" && now != next && now.find("not_taken") == std::string::npos;
-    ASSERT_EQ(takes, ends) << now << " at " << time;
+    ASSERT_EQ(takes, ends) << now << " at " << t;
     taken += takes;
-    const auto number = wires["chip.u_decision_datapath.room_q"].number(time);
-    if (room.at(time) != "-") {
-      ASSERT_THAT(room.at(time), testing::StartsWith("room_" + std::to_string(number) + "_depth_"));
+    if (room.at(t) != "-") {
+      const auto number = wires["chip.u_decision_datapath.room_q"].number(t);
+      ASSERT_THAT(room.at(t), StartsWith("room_" + std::to_string(number) + "_depth_"));
+    }
+    if (high("chip.consume", t)) {
+      const int c = colour_of_pins(static_cast<std::uint8_t>(wires["chip.uo_o"].number(t)));
+      ASSERT_EQ(tlm["tlm.display.shown"].at(t), TransactionAccount::rgb(c));
     }
   }
   EXPECT_GT(taken, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, TraceLevels,
-                         testing::Values("demo", RACEBEAM_SOURCE_DIR "/scenes/house.toml"));
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, TraceLevels,
+    testing::Values(std::pair{"demo", "dithering=on"}, std::pair{"demo", "speed=3"},
+                    std::pair{RACEBEAM_SOURCE_DIR "/scenes/house.toml", "dithering=on"}));
 
 TEST_F(CliTraceTlmTest, AnFstHasTheChangesOfTheVcd) {
   const Wave vcd = trace("tlm", {"--from", "60:0", "--to", "60:20"});

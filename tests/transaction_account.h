@@ -52,6 +52,11 @@ class TransactionAccount {
     return found == counts_.end() ? 0 : found->second;
   }
 
+  static std::string rgb(int colour) {
+    return "rgb_" + std::to_string(colour >> 4) + std::to_string(colour >> 2 & 3) +
+           std::to_string(colour & 3);
+  }
+
  private:
   void run_line(int frame, int line) {
     const std::int64_t at = static_cast<std::int64_t>(line) * line_clocks_;
@@ -121,10 +126,7 @@ class TransactionAccount {
     const int wide = knobs_.clocks_per_pixel, row = y - FirstVisibleLine;
     if (row < 0 || row >= VisibleRows || clock < 160 * wide || clock % wide != wide - 1) return;
     const int colour = colour_of_pins(static_cast<std::uint8_t>(uo));
-    for (int i = 0; i < wide; ++i)
-      put("tlm.display.shown", n - i,
-          "rgb_" + std::to_string(colour >> 4) + std::to_string(colour >> 2 & 3) +
-              std::to_string(colour & 3));
+    for (int i = 0; i < wide; ++i) put("tlm.display.shown", n - i, rgb(colour));
   }
 
   static std::string hex(int number) {
