@@ -41,6 +41,7 @@ void chip_lines::run_line() {
   frame_ = next_frame();
   visible_ = chip_.vga_timing.v_region_q == 1;
   pins_.clear();
+  rooms_told_ = {};
   if (options_.sound)
     run_sound_line(chip_.pwm_sound, raster_, knobs_.speed, y_, frame_, sound_changes_);
   const line_setting line = setting();
@@ -52,6 +53,7 @@ void chip_lines::run_line() {
 
 void chip_lines::run_slowly() {
   column_ = decisions_ = 0;
+  started_ = false;
   for (int clock = 0; clock < raster_.size(); ++clock) step(clock);
   if (options_.observer) options_.observer->line_end(y_, decisions_);
 }
@@ -77,14 +79,17 @@ void chip_lines::step(int clock) {
 
 void chip_lines::observe(const chip_core& before, const chip_view& v, int clock) {
   if (!v.run || v.line_done || v.line_end) return;
+  chip_observer& observer = *options_.observer;
+  if (!started_) observer.started(y_, clock);
+  started_ = true;
+  if (y_ != LastLine) rooms_told_.tell(observer, y_, clock, before.decision_datapath);
   const bool in_return = v.state == StateReturn;
   if (v.emit && !in_return) given_up_ = !v.wall;
   if (v.emit && v.ack)
-    options_.observer->interval({y_, clock, before.subdivider.i1_q, v.i2,
-                                 chip_.interval_fifo.head_value_q, before.decision_datapath.room_q,
-                                 before.decision_datapath.depth_q,
-                                 before.decision_datapath.hit_face_q, given_up_, decisions_});
-  if (v.restart && v.i2 != LastPixel) options_.observer->restart(y_, clock, v.i2 + 1);
+    observer.interval({y_, clock, before.subdivider.i1_q, v.i2, chip_.interval_fifo.head_value_q,
+                       before.decision_datapath.room_q, before.decision_datapath.depth_q,
+                       before.decision_datapath.hit_face_q, given_up_, decisions_});
+  if (v.restart && v.i2 != LastPixel) observer.restart(y_, clock, v.i2 + 1);
   const bool adjusting = v.state == StateLeft && v.idx2 != v.i2;
   if (!in_return && !v.emit && !v.second && !adjusting) ++decisions_;
 }

@@ -50,7 +50,8 @@ line_setting chip_lines::setting() {
           {colour(0), colour(1), colour(2), colour(3)},
           pattern && visible_ ? pixels_.data() : nullptr,
           options_.observer,
-          visible_ ? collector_.stats().stack_depth.data() : nullptr};
+          visible_ ? collector_.stats().stack_depth.data() : nullptr,
+          &rooms_told_};
 }
 
 const std::vector<room_row>& chip_lines::rooms(int flags) {

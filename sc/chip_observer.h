@@ -25,6 +25,14 @@ class chip_observer {
  public:
   virtual ~chip_observer() = default;
 
+  /// The tracer starts on line `y` in this clock: the camera has its rays.
+  virtual void started(int y, int clock) = 0;
+  /// From this clock of line `y` on the tracer is in another room, or in the line's first one,
+  /// `depth` rooms entered on the way to it: by descending, by returning, or by a restart. Half way
+  /// into a room it is in that room, as room_q says. Where the stack has run empty, the way back
+  /// goes one room too far, perhaps to depth 15, in the clock before a restart. Not on line 251,
+  /// where the navigator has the rooms.
+  virtual void entered(int y, int clock, int room, int depth) = 0;
   /// The FIFO took an interval.
   virtual void interval(const taken_interval& taken) = 0;
   /// An underflow restart in this clock of line `y`: the tracer goes on from the top of the tree

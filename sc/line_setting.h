@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sc/chip_observer.h"
+#include "sc/decision_datapath_core.h"
 #include "sc/line_raster.h"
 #include "sc/scene_program.h"
 #include "sc/sequencer.h"
@@ -24,6 +25,19 @@ struct line_counts {
   int decisions() const { return left + right + bisect; }
 };
 
+/// Tells an observer of the rooms of a line.
+struct room_teller {
+  int room = -1, depth = -1;  ///< told last
+
+  void tell(chip_observer& observer, int y, int clock, const decision_datapath_core& place) {
+    const int entered = place.rooms_entered();
+    if (room == place.room_q && depth == entered) return;
+    room = place.room_q;
+    depth = entered;
+    observer.entered(y, clock, room, depth);
+  }
+};
+
 struct line_setting {
   const knobs& k;
   const line_raster& raster;
@@ -35,7 +49,8 @@ struct line_setting {
   std::uint8_t colours[4];      ///< of the display indices, without the pattern
   std::uint8_t* row;            ///< pixels that show the pattern, if it may hold; else nullptr
   chip_observer* observer;
-  std::uint64_t* depths;  ///< histogram of the interval stack's entries, 65 of them
+  std::uint64_t* depths;    ///< histogram of the interval stack's entries, 65 of them
+  room_teller* rooms_told;  ///< to the observer, of this line
 };
 
 }  // namespace racebeam

@@ -27,6 +27,10 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
   bool given_up = false;
   int column = line.raster.columns_before[t];  // Pattern: the next to be shown
   const room_row* here = &scene_rom_core::row(line.rooms, place.room_q & line.room_mask);
+  if constexpr (Watch) {  // so that without it the compiler's choices stay as they are
+    line.observer->started(line.y, t);
+    line.rooms_told->tell(*line.observer, line.y, t, place);
+  }
 
   // Pattern: the next column, now.
   const auto show_column = [&](const sequencer_outputs& choice) {
@@ -165,6 +169,8 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
     if (move.restart) counts.restarts += sub.i2_q != LastPixel;
     sub.clock(in, move, k);
     ++t;
+    if constexpr (Watch)
+      if (!sub.line_done_q && t < end) line.rooms_told->tell(*line.observer, line.y, t, place);
 
     // What may be left out.
     if (emit) {

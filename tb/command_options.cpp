@@ -197,8 +197,8 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
 }
 
 void add_trace(CLI::App& app, TraceOptions& options) {
-  CLI::App* trace =
-      app.add_subcommand("trace", "Write the chip's signals as a waveform, or compare two");
+  CLI::App* trace = app.add_subcommand(
+      "trace", "Write the chip's signals or transactions as a waveform, or compare two");
   trace
       ->add_option("scene", options.scene,
                    "demo, or a scene file; or a waveform FILE.vcd for --picture to draw")
@@ -212,6 +212,13 @@ void add_trace(CLI::App& app, TraceOptions& options) {
   };
   text("-o,--output", options.output, "FILE",
        "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it");
+  trace
+      ->add_option("--level", options.level,
+                   "signal: units wired at 50.4 MHz; tlm: lines, intervals, rooms, restarts and "
+                   "display writes as transactions, small and fast enough for many frames")
+      ->type_name("LEVEL")
+      ->check(NotEmpty)
+      ->capture_default_str();
   text("--picture", options.picture, "FILE.svg",
        "Draw the window, for documents; of at most 400 clocks and 100 signals");
   text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");

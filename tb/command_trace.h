@@ -1,31 +1,13 @@
-// `racebeam trace`: a window of the chip's signals as a waveform; two waveforms compared.
+// `racebeam trace`: a window of the chip's signals or transactions as a waveform; two waveforms
+// compared.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include "tb/trace/trace_options.h"
 
 namespace racebeam {
-
-/// The command line as it was written.
-struct TraceOptions {
-  std::string scene;  ///< or a waveform to draw
-  std::string output, from, to;
-  std::string picture;                 ///< SVG
-  std::string around;                  ///< a trigger, or empty
-  std::string when;                    ///< a condition, or empty
-  long long lines = 1;                 ///< before and after it
-  std::optional<long long> pre, post;  ///< clocks before and after it instead
-  long long record = 0;                ///< lines that a flight recorder keeps; 0: none
-  std::vector<std::string> scopes;     ///< patterns of paths
-  long long depth = 0;
-  std::vector<std::string> assignments, units;
-  std::vector<std::string> diff;  ///< two files to compare instead of a scene
-  bool shared = false;            ///< compare what both have
-};
 
 /// Returns the exit code. Throws UsageError, RtlError, MissingTool, OutputError.
 int command_trace(const TraceOptions& options);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -20,9 +21,15 @@ namespace {
 struct Witness : chip_observer {
   std::vector<taken_interval> intervals;
   std::vector<std::uint8_t> colours = std::vector<std::uint8_t>(VisibleColumns * VisibleRows, 255);
+  std::vector<std::array<int, 2>> starts;   // line, clock
+  std::vector<std::array<int, 4>> entries;  // line, clock, room, depth
   int restarts = 0, columns = 0, overlaps = 0;
   std::uint64_t decisions = 0;
 
+  void started(int y, int clock) override { starts.push_back({y, clock}); }
+  void entered(int y, int clock, int room, int depth) override {
+    entries.push_back({y, clock, room, depth});
+  }
   void interval(const taken_interval& taken) override { intervals.push_back(taken); }
   void restart(int, int, int) override { ++restarts; }
   void line_end(int y, int count) override {
@@ -90,6 +97,38 @@ TEST_P(ChipObserved, SeesIntervalsInTheOrderOfPixelsAndClocks) {
   }
 }
 
+// One room deeper, one back, or to the camera's by a restart; intervals end where the tracer is.
+// Back from the camera's, where the stack has run empty: depth 15, for the clock before the
+// restart.
+TEST_P(ChipObserved, SeesTheRoomsOfEachLineFromTheCamerasOn) {
+  EXPECT_EQ(witness.starts.size(), static_cast<std::size_t>(FrameLines));
+  const std::array<int, 4>* last = nullptr;
+  int lines = 0;
+  for (const auto& entry : witness.entries) {
+    const auto& [y, clock, room, depth] = entry;
+    const bool first = !last || (*last)[0] != y;
+    lines += first;
+    if (first) {
+      ASSERT_EQ(depth, 0) << "line " << y;
+    } else {
+      ASSERT_GT(clock, (*last)[1]);
+      const int deeper = (depth - (*last)[3]) & low_bits(DepthBits);
+      ASSERT_TRUE(depth == 0 || deeper == 1 || deeper == low_bits(DepthBits)) << "line " << y;
+    }
+    last = &entry;
+  }
+  EXPECT_EQ(lines, FrameLines - 1) << "none in the navigator's line";
+  auto next = witness.entries.begin();
+  for (const taken_interval& i : witness.intervals) {
+    if (i.y == LastLine) continue;
+    while (next != witness.entries.end() &&
+           std::tie((*next)[0], (*next)[1]) <= std::tie(i.y, i.clock))
+      ++next;
+    ASSERT_EQ((*(next - 1))[0], i.y);
+    ASSERT_EQ((*(next - 1))[2], i.room) << "line " << i.y << " clock " << i.clock;
+  }
+}
+
 // A frame without starvation: every pixel is known before it is shown, one column further right,
 // in the colour of its interval. Two frames of one palette without an inverse: values are colours.
 TEST(ChipObserver, IntervalsAreWhatIsShownOneColumnFurther) {
@@ -128,6 +167,8 @@ TEST_P(ChipObservedTwice, TellsTheSameWhetherThePinsAreWantedOrNot) {
   for (std::size_t i = 0; i < fast.intervals.size(); ++i)
     ASSERT_TRUE(all(fast.intervals[i]) == all(slow.intervals[i])) << "interval " << i;
   EXPECT_EQ(fast.restarts, slow.restarts);
+  EXPECT_TRUE(fast.starts == slow.starts);
+  EXPECT_TRUE(fast.entries == slow.entries);
   EXPECT_TRUE(fast.colours == slow.colours);
 }
 

@@ -85,14 +85,14 @@ Names overview(const VcdWriter& vcd) {
   return names;
 }
 
-// The window fills the view, but a clock is wide enough for the number in it.
+// The window fills the view, but a unit of time is wide enough for the number in it.
 std::string view(const GtkwWindow& window) {
   constexpr double Width = 1400, Tree = 40, Signals = 280, Waves = Width - Tree - Signals - 40;
   constexpr double Narrowest = 46, Widest = 80, UnitOfZoom = 200;  // pixels
   const double clocks =
-      static_cast<double>(window.end - window.begin) / static_cast<double>(window.period);
+      static_cast<double>(window.end - window.begin) / static_cast<double>(window.unit);
   const double pixels = std::clamp(Waves / std::max(clocks, 1.), Narrowest, Widest);
-  const std::uint64_t half = static_cast<std::uint64_t>(Waves / pixels / 2) * window.period;
+  const std::uint64_t half = static_cast<std::uint64_t>(Waves / pixels / 2) * window.unit;
   std::uint64_t start = window.begin;
   if (window.marker && *window.marker > window.begin + half) start = *window.marker - half;
   std::string named;
@@ -100,7 +100,7 @@ std::string view(const GtkwWindow& window) {
   return fmt::format(
       "[timestart] {}\n[size] {} 800\n*{:.6f} {}{}\n[sst_width] {}\n"
       "[signals_width] {}\n[sst_expanded] 0\n",
-      start, Width, -std::log2(static_cast<double>(window.period) * UnitOfZoom / pixels),
+      start, Width, -std::log2(static_cast<double>(window.unit) * UnitOfZoom / pixels),
       window.marker ? std::to_string(*window.marker) : "-1", named, Tree, Signals);
 }
 

@@ -22,12 +22,12 @@ namespace racebeam {
 /// What is seen when the file is opened, in picoseconds.
 struct GtkwWindow {
   std::uint64_t begin, end;
-  std::uint64_t period;                 ///< of a clock
+  std::uint64_t unit;                   ///< is wide enough to be read: a clock
   std::optional<std::uint64_t> marker;  ///< stands here, in sight
 };
 
 /// The text of a save file that shows the signals of `vcd`, stored as `dump`: the beam, and a group
-/// for each unit.
+/// for each unit, or the streams of transactions.
 std::string gtkw_text(const std::string& dump, const VcdWriter& vcd, const GtkwWindow& window);
 
 /// Where it belongs: F.gtkw for F.vcd and F.fst.

@@ -5,13 +5,15 @@
 #include "tb/console.h"
 #include "tb/counted.h"
 #include "tb/errors.h"
-#include "tb/trace/trace_files.h"
+#include "tb/interrupt.h"
+#include "tb/trace/transaction_bench.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr std::int64_t OverviewLines = 100;  ///< more are an overview, unless --scope says more
+constexpr int ShortTransaction = 32;         ///< clocks
 
 }  // namespace
 
@@ -36,21 +38,38 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
     run.settle();
     run.each_clock({});
   }
-  if (end == first) {
+  if (overview && end > last)
+    tell("a long window has ports and wires only; --scope '*' has all signals");
+  return finish(files, vcd, {window, raster, run.bench().period_ps(), end - first, 1});
+}
+
+int WindowWriter::write_transactions(const knobs& k, const scene_program* program,
+                                     const Raster& raster, const TraceWindow& window) const {
+  const int period = clock_period_ps(k.clocks_per_pixel);
+  VcdWriter vcd;
+  TransactionTrace trace(
+      raster, period, selection, [&](int frame) { return show.part(frame); }, vcd);
+  TraceFiles files(output, picture, "racebeam: " + show.name(), vcd);
+  const std::int64_t clocks = TransactionBench(k, program, raster, trace).run(window, interrupted);
+  return finish(files, vcd, {window, raster, period, clocks, ShortTransaction});
+}
+
+int WindowWriter::finish(TraceFiles& files, const VcdWriter& vcd, const Written& written) const {
+  if (written.clocks == 0) {
     tell("stopped before the window; nothing is written");
     return ExitInterrupted;
   }
+  const std::int64_t first = written.window.from.ordinal(written.raster);
+  const std::int64_t end = first + written.clocks;
   const auto time = [&](std::int64_t clock) {
-    return static_cast<std::uint64_t>(clock * run.bench().period_ps());
+    return static_cast<std::uint64_t>(clock * written.period_ps);
   };
-  GtkwWindow seen{time(first), time(end), time(1), {}};
-  if (window.mark) seen.marker = time(window.mark->ordinal(raster));
+  GtkwWindow seen{time(first), time(end), time(written.readable), {}};
+  if (const auto& mark = written.window.mark) seen.marker = time(mark->ordinal(written.raster));
   files.commit(seen);
-  const bool whole = end > last;
+  const bool whole = end > written.window.to.ordinal(written.raster);
   tell((whole ? "wrote " : "stopped early; kept ") + files.names() + ": " +
-       counted(vcd.names().size(), "signal") + ", " + counted(end - first, "clock"));
-  if (overview && whole)
-    tell("a long window has ports and wires only; --scope '*' has all signals");
+       counted(vcd.names().size(), "signal") + ", " + counted(written.clocks, "clock"));
   return whole ? ExitGood : ExitInterrupted;
 }
 

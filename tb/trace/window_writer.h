@@ -8,6 +8,7 @@
 
 #include "tb/show.h"
 #include "tb/trace/signal_trace.h"
+#include "tb/trace/trace_files.h"
 #include "tb/trace/trace_run.h"
 
 namespace racebeam {
@@ -21,6 +22,19 @@ struct WindowWriter {
   /// that the user stops keeps what there is. Returns the exit code. Throws UsageError as
   /// SignalTrace and TraceFiles do, and OutputError.
   int write(TraceRun& run, const TraceWindow& window) const;
+  /// The same of the transactions of the tlm level.
+  int write_transactions(const knobs& k, const scene_program* program, const Raster& raster,
+                         const TraceWindow& window) const;
+
+ private:
+  struct Written {
+    const TraceWindow& window;
+    const Raster& raster;
+    int period_ps;
+    std::int64_t clocks;
+    int readable;  ///< clocks that are to be wide enough to be read
+  };
+  int finish(TraceFiles& files, const VcdWriter& vcd, const Written& written) const;
 };
 
 }  // namespace racebeam

@@ -13,6 +13,8 @@ namespace racebeam {
 
 class IntervalLog final : public chip_observer {
  public:
+  void started(int, int) override {}
+  void entered(int, int, int, int) override {}
   void interval(const taken_interval& taken) override;
   void restart(int, int, int) override {}
   void shown(int, int, int, int) override {}

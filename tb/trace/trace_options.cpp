@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/trace/trace_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "tb/nearest.h"
+#include "tb/render_options.h"
+#include "tb/trace/draw_waveform.h"
+#include "tb/trace/trigger.h"
+#include "tb/trace/wave_file.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* Mismatch = "mismatch";
+constexpr int MostFramesAround = 10, MostDepth = 9;
+
+void check_range(const char* option, long long value, long long min, long long max) {
+  if (value < min || value > max)
+    throw UsageError(fmt::format("{} {} is out of range; {}..{}", option, value, min, max));
+}
+
+}  // namespace
+
+bool TraceOptions::transactions() const { return level == LevelTlm; }
+bool TraceOptions::awaits_mismatch() const { return around == Mismatch; }
+bool TraceOptions::watches() const { return awaits_mismatch() || !when.empty() || record > 0; }
+bool TraceOptions::searches() const { return watches() || !around.empty(); }
+
+TraceSelection TraceOptions::selection() const {
+  check_range("--depth", depth, 0, MostDepth);
+  return {scopes, static_cast<int>(depth)};
+}
+
+void TraceOptions::check(const Raster& raster) const {
+  check_files();
+  check_level();
+  check_search();
+  for (const auto& [name, clocks] : {std::pair{"--pre", pre}, {"--post", post}})
+    check_range(name, clocks.value_or(0), 0, MostFramesAround * raster.frame_clocks());
+}
+
+void TraceOptions::check_files() const {
+  if (output.empty() && picture.empty())
+    throw UsageError("-o FILE.vcd or FILE.fst, or --picture FILE.svg, says where to write");
+  if (!picture.empty()) check_picture_name(picture);
+  if (!output.empty() && !is_waveform(output))
+    throw UsageError(output + ": a waveform ends with .vcd or .fst");
+  if (fs::path(output).extension() == ".fst") need_vcd2fst();
+}
+
+void TraceOptions::check_level() const {
+  if (level != LevelSignal && !transactions())
+    throw unknown_name("level", level, {LevelTlm, LevelSignal});
+  if (!transactions()) return;
+  if (!units.empty())
+    throw UsageError(
+        "--use puts RTL between the wires of --level signal; tlm has none: leave out --level tlm, "
+        "or --use");
+  if (watches() || !picture.empty())
+    throw UsageError(
+        "--when, --record, mismatches and --picture look at the wires of --level signal; leave out "
+        "--level tlm, or them");
+}
+
+void TraceOptions::check_search() const {
+  if (!around.empty() && !when.empty())
+    throw UsageError("--around and --when are two things to look for; give one");
+  if (record > 0 && !around.empty())
+    throw UsageError("--record watches for mismatches by itself; leave out --around, or --record");
+  std::vector<std::string> triggers = trigger_names();
+  triggers.push_back(Mismatch);
+  if (!around.empty() && std::find(triggers.begin(), triggers.end(), around) == triggers.end())
+    throw unknown_name("trigger", around, triggers);
+  if ((pre || post) && !searches())
+    throw UsageError("--pre and --post are clocks around what --around, --when or --record finds");
+  if (pre && record > 0)
+    throw UsageError("--record says how many lines before the event are kept; leave out --pre");
+  check_range("--lines", lines, 0, FrameLines - 1);
+  check_range("--record", record, 0, MostFramesAround * FrameLines);
+  if (!searches() && (from.empty() || to.empty()))
+    throw UsageError(
+        "the window is missing: say --from FRAME:LINE and --to FRAME:LINE, or --around "
+        "first-starved, or --when 'u_subdivider.sd_q == 4'");
+}
+
+TraceWindow TraceOptions::searched(const TraceWindowReader& reader) const {
+  const std::string begin = from.empty() ? fmt::format("0:{}", FirstLine) : from;
+  return reader.window(
+      begin, to.empty() ? begin.substr(0, begin.find(':')) + fmt::format(":{}", LastLine) : to);
+}
+
+TraceWindow TraceOptions::around_point(const TracePoint& point, const TraceWindowReader& reader,
+                                       const Raster& raster) const {
+  if (record > 0) return reader.around(point, record * raster.line_clocks(), post.value_or(0));
+  if (pre || post) return reader.around(point, pre.value_or(0), post.value_or(0));
+  return reader.around(point, lines);
+}
+
+long long TraceOptions::clocks_before(const Raster& raster) const {
+  const long long whole_lines = record > 0 ? record : lines + 1;
+  return std::max(whole_lines * raster.line_clocks(), pre.value_or(0));
+}
+
+UsageError TraceOptions::nothing_found(const TraceWindow& where) const {
+  return UsageError(
+      fmt::format("nothing of {} from {}:{} to {}:{}; search further with --from and --to",
+                  around.empty() ? "--when '" + when + "'" : around, where.from.frame,
+                  where.from.line, where.to.frame, where.to.line));
+}
+
+}  // namespace racebeam

@@ -1,0 +1,60 @@
+// What `racebeam trace` was asked for: checked, and the parts of the show that follow from it.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/errors.h"
+#include "tb/trace/signal_trace.h"
+#include "tb/trace/trace_window.h"
+
+namespace racebeam {
+
+/// The command line as it was written.
+struct TraceOptions {
+  std::string scene;  ///< or a waveform to draw
+  std::string output, from, to;
+  std::string level = "signal";        ///< or "tlm": transactions
+  std::string picture;                 ///< SVG
+  std::string around;                  ///< a trigger, or empty
+  std::string when;                    ///< a condition, or empty
+  long long lines = 1;                 ///< before and after it
+  std::optional<long long> pre, post;  ///< clocks before and after it instead
+  long long record = 0;                ///< lines that a flight recorder keeps; 0: none
+  std::vector<std::string> scopes;     ///< patterns of paths
+  long long depth = 0;
+  std::vector<std::string> assignments, units;
+  std::vector<std::string> diff;  ///< two files to compare instead of a scene
+  bool shared = false;            ///< compare what both have
+
+  /// Throws UsageError.
+  TraceSelection selection() const;
+  /// Throws UsageError unless a scene can be traced so, and MissingTool.
+  void check(const Raster& raster) const;
+
+  bool transactions() const;
+  /// Something is to be found first: the window follows from it.
+  bool searches() const;
+  /// It is found by running the chip, not by the cores alone.
+  bool watches() const;
+  bool awaits_mismatch() const;
+  /// The part of the show that is searched: to the end of the frame unless --to says more.
+  TraceWindow searched(const TraceWindowReader& reader) const;
+  /// What is to be written around what was found.
+  TraceWindow around_point(const TracePoint& point, const TraceWindowReader& reader,
+                           const Raster& raster) const;
+  /// Clocks before it that this may ask for.
+  long long clocks_before(const Raster& raster) const;
+  UsageError nothing_found(const TraceWindow& where) const;
+
+ private:
+  void check_files() const;
+  void check_level() const;
+  void check_search() const;
+};
+
+}  // namespace racebeam
