@@ -198,7 +198,8 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
 
 void add_trace(CLI::App& app, TraceOptions& options) {
   CLI::App* trace = app.add_subcommand(
-      "trace", "Write the chip's signals or transactions as a waveform, or compare two");
+      "trace",
+      "Write the chip's signals or transactions as a waveform or a picture, or compare two");
   trace
       ->add_option("scene", options.scene,
                    "demo, or a scene file; or a waveform FILE.vcd for --picture to draw")

@@ -123,7 +123,7 @@ TEST_F(CliTracePictureTest, TheRulerHasTheClocksOfTheBeam) {
 }
 
 TEST_F(CliTracePictureTest, AWaveformIsDrawnAsItsWindowWas) {
-  const Arguments scope = {"--scope", "chip.u_stacks", "--scope", "*.i1_q"};
+  const Arguments scope = {"--scope", "chip.u_stacks", "--scope", "*.state_q"};
   Arguments first = {"demo", "--from", "60:0:900", "--to", "60:0:960", "--picture", "a.svg"};
   first.insert(first.end(), scope.begin(), scope.end());
   trace(first);
@@ -132,7 +132,8 @@ TEST_F(CliTracePictureTest, AWaveformIsDrawnAsItsWindowWas) {
   again.insert(again.end(), scope.begin(), scope.end());
   trace(again);
   EXPECT_EQ(read_file(folder / "a.svg"), read_file(folder / "b.svg"));
-  EXPECT_EQ(drawn("a.svg")["chip.u_subdivider.i1_q"].role, "register");
+  EXPECT_EQ(drawn("a.svg")["chip.u_subdivider.state_q"].role, "register");
+  EXPECT_EQ(drawn("a.svg")["chip.u_subdivider.state_q_name"].role, "words");
 }
 
 TEST_F(CliTracePictureTest, BothSidesOfALockstepAreDrawnAndAnFstToo) {

@@ -1,38 +1,19 @@
-// `racebeam trace` through the command line: what is in its waveforms.
+// `racebeam trace` through the command line: the signals of its waveforms.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <random>
-#include <set>
 
-#include "sc/chip_core.h"
 #include "sc/probe.h"
-#include "tests/program.h"
-#include "tests/wave.h"
+#include "tests/cli_trace_bench.h"
 
 namespace racebeam {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr int Period = clock_period_ps(2);
-constexpr int LineClocks = 1600;  // of the taped-out chip
-
-/// Clocks since the start of frame 0.
-std::uint64_t ordinal(int frame, int line, int clock = 0) {
-  return (static_cast<std::uint64_t>(frame) * FrameLines +
-          static_cast<std::uint64_t>(line - FirstLine)) *
-             LineClocks +
-         static_cast<std::uint64_t>(clock);
-}
-
-std::string place(int frame, int line) {
-  return std::to_string(frame) + ":" + std::to_string(line);
-}
 
 /// All registers of a chip of the demo, by their paths.
 std::vector<probe> registers_of_chip(const chip_core& chip, const knobs& k) {
@@ -90,20 +71,7 @@ void expect_the_cores(const Wave& wave, int frame, int line, int lines) {
   }
 }
 
-class CliTraceTest : public testing::Test {
- protected:
-  Wave trace(const std::vector<std::string>& more, const std::string& file = "t.vcd") {
-    std::vector<std::string> arguments = {"trace", "demo", "-o", file};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    Program run(folder.path(), arguments);
-    EXPECT_EQ(run.wait(), 0) << run.err();
-    said = run.err();
-    return Wave(folder / file);
-  }
-
-  ScratchFolder folder;
-  std::string said;
-};
+using CliTraceTest = CliTraceBench;
 
 TEST_F(CliTraceTest, EveryRegisterIsThatOfTheCoresInEveryClockOfRandomWindows) {
   std::minstd_rand random(7);
@@ -219,80 +187,6 @@ TEST_F(CliTraceTest, FollowsTheClockAndTheFramesOfTheScene) {
   EXPECT_EQ(slow["beam.pixel"].number(slow.begin), (2000u / 3 - 160) & 2047);
   EXPECT_EQ(slow.end - slow.begin, 406u * clock_period_ps(3));
   EXPECT_EQ(slow["chip.u_sequencer.frame_q"].number(slow.end), 61u);
-}
-
-TEST_F(CliTraceTest, AnFstHasTheChangesOfTheVcd) {
-  const std::vector<std::string> window = {"--from", "60:0", "--to", "60:2"};
-  const Wave vcd = trace(window);
-  Program fst(folder.path(), {"trace", "demo", "-o", "t.fst", "--from", "60:0", "--to", "60:2"});
-  ASSERT_EQ(fst.wait(), 0) << fst.err();
-  const std::string back = "fst2vcd " + (folder / "t.fst") + " > " + (folder / "back.vcd");
-  ASSERT_EQ(std::system(back.c_str()), 0);
-  const Wave other(folder / "back.vcd");
-  for (const auto& [path, signal] : vcd.signals)
-    EXPECT_EQ(other[path].changes, signal.changes) << path;
-  Program diff(folder.path(), {"trace", "--diff", "t.vcd", "back.vcd"});
-  EXPECT_EQ(diff.wait(), 0) << diff.out();
-}
-
-TEST_F(CliTraceTest, TheSaveFileShowsEverySignalInTheGroupOfItsUnit) {
-  const Wave wave = trace({"--from", "60:0:0", "--to", "60:0:9"});
-  std::istringstream save(read_file(folder / "t.gtkw"));
-  std::string scope;
-  std::set<std::string> shown;
-  bool groups = false;
-  for (std::string line; std::getline(save, line);) {
-    if (line[0] == '-') {
-      scope = line.substr(1);
-      groups = true;
-    }
-    if (line[0] == '-' || line[0] == '@' || line[0] == '[') continue;
-    for (const auto& [path, signal] : wave.signals) {
-      const std::string range =
-          signal.bits > 1 ? "[" + std::to_string(signal.bits - 1) + ":0]" : "";
-      if (line != path + range) continue;
-      shown.insert(path);
-      EXPECT_EQ(path.substr(0, path.rfind('.')), scope);
-    }
-  }
-  EXPECT_TRUE(groups);
-  EXPECT_EQ(shown.size(), wave.signals.size());
-}
-
-TEST_F(CliTraceTest, DiffExplainsTheFirstDifference) {
-  trace({"--from", "60:0", "--to", "60:3"}, "a.vcd");
-  Program same(folder.path(), {"trace", "--diff", "a.vcd", "a.vcd"});
-  EXPECT_EQ(same.wait(), 0);
-  EXPECT_THAT(same.out(), HasSubstr("no difference"));
-  std::string text = read_file(folder / "a.vcd");
-  const auto line = "#" + std::to_string(ordinal(60, 1, 700) * Period + Period / 2) + "\n";
-  const auto at = text.find(line);
-  ASSERT_NE(at, std::string::npos);
-  const auto variable = text.find(" idx2_q ");  // $var wire 10 CODE idx2_q
-  const auto blank = text.rfind(' ', variable - 1);
-  const std::string code = text.substr(blank + 1, variable - blank - 1);
-  std::ofstream(folder / "c.vcd") << text.insert(at + line.size(), "b111 " + code + "\n");
-  Program changed(folder.path(), {"trace", "--diff", "a.vcd", "c.vcd"});
-  EXPECT_EQ(changed.wait(), 1);
-  EXPECT_THAT(changed.out(), HasSubstr("(frame 60, line 1, clock 700): 1 signal\n"));
-  EXPECT_THAT(changed.out(), HasSubstr("  chip.u_subdivider.idx2_q: "));
-  EXPECT_THAT(changed.out(), HasSubstr("111 in c.vcd\n"));
-}
-
-TEST_F(CliTraceTest, AroundShowsTheLinesOfItsTrigger) {
-  const Wave wave = trace({"--around", "first-restart", "--from", "7223:-240", "--lines", "0"});
-  EXPECT_EQ(wave.end - wave.begin, static_cast<std::uint64_t>(LineClocks) * Period);
-  const auto& restart = wave["chip.restart"];
-  bool seen = false;
-  for (const auto& [time, value] : restart.changes)
-    if (value == "1" && wave["chip.line_done"].at(time) == "0") {
-      const std::string told =
-          "frame 7223, line " +
-          std::to_string(wrap_signed(static_cast<int>(wave["beam.line"].number(time)), 10)) +
-          ", clock " + std::to_string(wave["beam.clock"].number(time)) + "\n";
-      seen = seen || said.find(told) != std::string::npos;
-    }
-  EXPECT_TRUE(seen) << said;
 }
 
 }  // namespace

@@ -193,6 +193,23 @@ TEST(WavePicture, TheRulerSaysWhereFramesAndLinesBegin) {
   EXPECT_NEAR(svg.clocks[3].x, (svg.grid[3] + svg.grid[3] + svg.grid[1] - svg.grid[0]) / 2, 0.02);
 }
 
+TEST(WavePicture, AWaveformOfVerifyIsDrawnWithItsClocks) {
+  VcdWriter vcd;
+  const int clk = vcd.add("chip", "clk_i", 1), clock = vcd.add("chip", "clock", 64),
+            tag = vcd.add("rtl.u_stacks", "tag_o", 9);
+  for (std::uint64_t n = 0; n < 3; ++n) {
+    vcd.change(n * Period, clk, 1);
+    vcd.change(n * Period, clock, 900 + n);
+    vcd.change(n * Period, tag, n);
+    vcd.change(n * Period + Period / 2, clk, 0);
+  }
+  VcdReader reader(std::make_unique<std::istringstream>(vcd.text("", 3 * Period)), "the dump");
+  const Svg svg(wave_picture(read_waves(reader, [](const std::string&) { return true; })));
+  EXPECT_EQ(svg.clocks.at(2).text, "902");
+  EXPECT_THAT(svg["rtl.u_stacks.tag_o"].values(), ElementsAre("0x000", "0x001", "0x002"));
+  EXPECT_TRUE(svg.places.empty());
+}
+
 TEST(WavePicture, NothingIsLoadedAndNothingRuns) {
   Dump dump;
   const int bit = dump.vcd.add("chip", "emit", 1);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tb/console.h"
@@ -15,6 +16,18 @@
 namespace racebeam {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// The words of a register go with it, as when it is traced.
+bool takes(const TraceSelection& selection, const std::string& path) {
+  const std::string words = "_name";
+  const auto stem = path.size() - std::min(path.size(), words.size());
+  return selection.takes(path) ||
+         (path.substr(stem) == words && selection.takes(path.substr(0, stem)));
+}
+
+}  // namespace
 
 bool is_waveform(const std::string& path) {
   const fs::path extension = fs::path(path).extension();
@@ -36,7 +49,7 @@ int draw_waveform(const std::string& dump, const std::string& picture,
                      fs::path(dump).replace_extension(".vcd").string() + "` makes one");
   VcdReader vcd(dump);
   const ClockedWaves waves =
-      read_waves(vcd, [&](const std::string& path) { return selection.takes(path); });
+      read_waves(vcd, [&](const std::string& path) { return takes(selection, path); });
   write_text(picture, wave_picture(waves));
   tell(fmt::format("wrote {}: {}, {}", picture, counted(waves.lanes.size(), "signal"),
                    counted(static_cast<std::int64_t>(waves.clocks.size()), "clock")));

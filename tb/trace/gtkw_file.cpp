@@ -87,7 +87,7 @@ Names overview(const VcdWriter& vcd) {
 
 // The window fills the view, but a unit of time is wide enough for the number in it.
 std::string view(const GtkwWindow& window) {
-  constexpr double Width = 1400, Tree = 40, Signals = 280, Waves = Width - Tree - Signals - 40;
+  constexpr double Width = 1400, Tree = 40, Signals = 330, Waves = Width - Tree - Signals - 40;
   constexpr double Narrowest = 46, Widest = 80, UnitOfZoom = 200;  // pixels
   const double clocks =
       static_cast<double>(window.end - window.begin) / static_cast<double>(window.unit);

@@ -161,6 +161,7 @@ class Drawing {
     std::string text;
     for (std::size_t n = 0; n < places.size(); ++n) {
       const auto& [at, place] = places[n];
+      if (place.empty()) continue;
       const bool fits =
           n + 1 == places.size() || at + text_width(place) * 1.1 + Gap < places[n + 1].first;
       text += fmt::format("<text class=\"place\" x=\"{}\" y=\"20\"{}>{}</text>\n",

@@ -1,0 +1,49 @@
+// What the tests of `racebeam trace` share: a run whose waveform is read back.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sc/chip_core.h"
+#include "tests/program.h"
+#include "tests/wave.h"
+
+namespace racebeam {
+
+constexpr int Period = clock_period_ps(2);
+constexpr int LineClocks = 1600;  // of the taped-out chip
+
+/// Clocks since the start of frame 0.
+inline std::uint64_t ordinal(int frame, int line, int clock = 0) {
+  return (static_cast<std::uint64_t>(frame) * FrameLines +
+          static_cast<std::uint64_t>(line - FirstLine)) *
+             LineClocks +
+         static_cast<std::uint64_t>(clock);
+}
+
+inline std::string place(int frame, int line) {
+  return std::to_string(frame) + ":" + std::to_string(line);
+}
+
+class CliTraceBench : public testing::Test {
+ protected:
+  Wave trace(const std::vector<std::string>& more, const std::string& file = "t.vcd") {
+    std::vector<std::string> arguments = {"trace", "demo", "-o", file};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Program run(folder.path(), arguments);
+    EXPECT_EQ(run.wait(), 0) << run.err();
+    said = run.err();
+    return Wave(folder / file);
+  }
+
+  ScratchFolder folder;
+  std::string said;
+};
+
+}  // namespace racebeam
