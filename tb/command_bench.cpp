@@ -83,6 +83,14 @@ double rate_of(const Json& all, const std::string& name) {
 /// Clocks a second that a row is compared with; 0: with none.
 using Base = std::function<double(const std::string& name, double rate)>;
 
+/// Compares with the first row that it is asked for.
+Base beside_first() {
+  return [first = std::make_shared<double>(0)](const std::string&, double rate) {
+    if (*first == 0) *first = rate;
+    return *first;
+  };
+}
+
 /// Name and clocks a second of the median of each benchmark. `rows`: their JSON. With a base the
 /// ratio to it too.
 void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
@@ -155,11 +163,8 @@ int command_bench(const BenchOptions& options) {
     collect(run_apart([&] { register_kernel(options.repeats); }), options.json, all);
     worst = run_levels(options, all);
     if (!options.json) print(verdict(worst));
-    double models = 0;  // of the first mix
-    const auto beside_models = [&](const std::string&, double rate) {
-      if (models == 0) models = rate;
-      return models;
-    };
+    collect(run_apart([&] { register_traces(options); }), options.json, all, beside_first());
+    const Base beside_models = beside_first();
     for (const ChipMix& mix : chip_mixes())
       collect(run_apart([&] { register_mix(mix, options); }), options.json, all, beside_models);
   }
