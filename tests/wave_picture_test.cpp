@@ -23,12 +23,17 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t Period = 100, Begin = 5000;
 
+std::string drawn(const std::string& vcd) {
+  VcdReader reader(std::make_unique<std::istringstream>(vcd), "the dump");
+  return wave_picture(read_waves(reader, [](const std::string&) { return true; }));
+}
+
 /// A waveform of some clocks from line 7 of frame 60, clock 10.
 struct Dump {
   VcdWriter vcd;
-  const int clk = vcd.add("beam", "clk_i", 1), frame = vcd.add("beam", "frame", 14),
-            line = vcd.add("beam", "line", 10), pixel = vcd.add("beam", "pixel", 11),
-            clock = vcd.add("beam", "clock", 11);
+  const int frame = vcd.add("beam", "frame", 14), line = vcd.add("beam", "line", 10),
+            pixel = vcd.add("beam", "pixel", 11), clock = vcd.add("beam", "clock", 11),
+            clk = vcd.add("beam", "clk_i", 1);
 
   void run(std::uint64_t clocks, const std::function<void(std::uint64_t, std::uint64_t)>& each) {
     for (std::uint64_t n = 0; n < clocks; ++n) {
@@ -43,10 +48,7 @@ struct Dump {
     }
     end = Begin + clocks * Period;
   }
-  std::string svg() const {
-    VcdReader reader(std::make_unique<std::istringstream>(vcd.text("by hand", end)), "the dump");
-    return wave_picture(read_waves(reader, [](const std::string&) { return true; }));
-  }
+  std::string svg() const { return drawn(vcd.text("by hand", end)); }
   Svg picture() const { return Svg(svg()); }
 
   std::uint64_t end = Begin;
@@ -54,8 +56,7 @@ struct Dump {
 
 std::string refused(const std::string& vcd) {
   try {
-    VcdReader reader(std::make_unique<std::istringstream>(vcd), "the dump");
-    read_waves(reader, [](const std::string&) { return true; });
+    drawn(vcd);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -108,6 +109,13 @@ TEST(WavePicture, ValuesStandOncePerRunInTheFormatOfTheirName) {
   EXPECT_THAT(svg["chip.state_q_name"].values(), ElementsAre("left_&_right", "<up>"));
 }
 
+TEST(WavePicture, AValueThatTheDumpRepeatsStandsOnce) {
+  const Svg svg(
+      drawn("$var wire 1 ! clk_i $end $var wire 2 \" a [1:0] $end $enddefinitions $end\n"
+            "#0\n1!\nb10 \"\n#5\n0!\n#10\n1!\nb10 \"\n#15\n0!\n#20\n1!\nb11 \"\n#30\n"));
+  EXPECT_THAT(svg["a"].values(), ElementsAre("2", "3"));
+}
+
 TEST(WavePicture, EdgesBeginAtTheLinesOfTheirClocks) {
   Dump dump;
   const int bit = dump.vcd.add("chip", "emit", 1), bus = dump.vcd.add("chip", "fill", 4);
@@ -124,7 +132,7 @@ TEST(WavePicture, EdgesBeginAtTheLinesOfTheirClocks) {
   ASSERT_EQ(bends.size(), 6u);
   EXPECT_DOUBLE_EQ(bends[0], svg.grid[0]);
   EXPECT_DOUBLE_EQ(bends[1], svg.grid[3]);
-  EXPECT_GT(bends[2], bends[1]);
+  EXPECT_DOUBLE_EQ(bends[2], bends[1] + 4);
   EXPECT_DOUBLE_EQ(bends[3], svg.grid[5]);
   EXPECT_NEAR(bends[5], svg.grid[7] + clock, 0.02);
   EXPECT_DOUBLE_EQ(svg["chip.fill"].buses[0].xs[0], svg.grid[6]);
@@ -171,7 +179,6 @@ TEST(WavePicture, NoTextLeavesItsShapeOrMeetsAnother) {
   EXPECT_GT(inside, 100);
   EXPECT_GT(outside, 100) << "in titles";
   ASSERT_GE(svg.clocks.size(), 80u);
-  EXPECT_EQ(svg.clocks[0].text, "10");
   for (std::size_t n = 1; n < svg.clocks.size(); ++n)
     EXPECT_GT(svg.clocks[n].x - svg.clocks[n - 1].x, 4 * Character + 4);
 }
@@ -203,8 +210,7 @@ TEST(WavePicture, AWaveformOfVerifyIsDrawnWithItsClocks) {
     vcd.change(n * Period, tag, n);
     vcd.change(n * Period + Period / 2, clk, 0);
   }
-  VcdReader reader(std::make_unique<std::istringstream>(vcd.text("", 3 * Period)), "the dump");
-  const Svg svg(wave_picture(read_waves(reader, [](const std::string&) { return true; })));
+  const Svg svg(drawn(vcd.text("", 3 * Period)));
   EXPECT_EQ(svg.clocks.at(2).text, "902");
   EXPECT_THAT(svg["rtl.u_stacks.tag_o"].values(), ElementsAre("0x000", "0x001", "0x002"));
   EXPECT_TRUE(svg.places.empty());
