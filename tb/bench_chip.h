@@ -25,8 +25,8 @@ void register_tlm_parts(const BenchOptions& options);
 /// The chip's RTL behind Tiny Tapeout pins, verilated, without SystemC: a frame.
 void register_verilated(int repeats);
 
-/// All models in a busy frame: rows "trace: ..." for what a waveform, a condition and the flight
-/// recorder cost, and what is left of that afterwards.
+/// All models in a busy frame: rows "trace: ..." for what the flight recorder, waveforms and a
+/// condition cost.
 void register_traces(const BenchOptions& options);
 
 /// A chip of models and RTL.

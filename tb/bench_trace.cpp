@@ -69,13 +69,11 @@ void register_traces(const BenchOptions& options) {
                }),
            options.repeats);
   };
-  const Run untraced = [](TraceRun& run, std::int64_t end) { run.go_to(end); };
-  add("trace: never", untraced);
+  add("trace: none", [](auto& run, auto end) { run.go_to(end); });
+  add("trace: flight recorder", recorded);
   add("trace: ports and wires", [](auto& run, auto end) { traced(run, end, true); });
   add("trace: all signals", [](auto& run, auto end) { traced(run, end, false); });
   add("trace: a condition", asked);
-  add("trace: flight recorder", recorded);
-  add("trace: no more", untraced);
 }
 
 }  // namespace racebeam

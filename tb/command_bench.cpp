@@ -111,6 +111,8 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
   }
 }
 
+// Groups of rows, which may be asked for as a unit may.
+constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes";
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
@@ -152,35 +154,38 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 int command_bench(const BenchOptions& options) {
-  std::vector<std::string> known;
+  std::vector<std::string> known = {Levels, Traces, Mixes};
   for (const auto& row : unit_rows) known.push_back(row.name);
-  for (const auto& name : options.units)
+  for (const auto& name : options.rows)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw unknown_name("unit", name, known);
+      throw unknown_name("row", name, known);
+  const auto wanted = [&](const std::string& name) {
+    return options.rows.empty() ||
+           std::find(options.rows.begin(), options.rows.end(), name) != options.rows.end();
+  };
 
   Json all = Json::array(), worst;
-  if (options.units.empty()) {
+  if (wanted(Levels)) {
     collect(run_apart([&] { register_kernel(options.repeats); }), options.json, all);
     worst = run_levels(options, all);
     if (!options.json) print(verdict(worst));
-    collect(run_apart([&] { register_traces(options); }), options.json, all, beside_first());
-    const Base beside_models = beside_first();
-    for (const ChipMix& mix : chip_mixes())
-      collect(run_apart([&] { register_mix(mix, options); }), options.json, all, beside_models);
   }
+  if (wanted(Traces))
+    collect(run_apart([&] { register_traces(options); }), options.json, all, beside_first());
+  const Base beside_models = beside_first();
+  for (const ChipMix& mix : chip_mixes())
+    if (wanted(Mixes))
+      collect(run_apart([&] { register_mix(mix, options); }), options.json, all, beside_models);
   for (const auto& row : unit_rows)
-    if (options.units.empty() ||
-        std::find(options.units.begin(), options.units.end(), row.name) != options.units.end())
+    if (wanted(row.name))
       collect(run_apart([&] { register_unit(row, options.repeats); }), options.json, all);
   if (options.json) {
     Json report{{"schema", "racebeam-bench"},
                 {"version", 1},
                 {"repeats", options.repeats},
+                {"frames", options.frames},
                 {"medians", all}};
-    if (options.units.empty()) {
-      report["frames"] = options.frames;
-      report["slowest_tlm"] = worst;
-    }
+    if (wanted(Levels)) report["slowest_tlm"] = worst;
     print(report.dump(2) + "\n");
   }
   return ExitGood;

@@ -10,13 +10,13 @@
 namespace racebeam {
 
 struct BenchOptions {
-  std::vector<std::string> units;  ///< unit test benches to run; empty: the chip and all units
-  int frames = 20;                 ///< of each demo part
-  int repeats = 5;                 ///< of which the median counts
+  std::vector<std::string> rows;  ///< groups of rows, and units; empty: all
+  int frames = 20;                ///< of each demo part
+  int repeats = 5;                ///< of which the median counts
   bool json = false;
 };
 
-/// Returns the exit code. Throws UsageError for an unknown unit.
+/// Returns the exit code. Throws UsageError for an unknown row.
 int command_bench(const BenchOptions& options);
 
 }  // namespace racebeam

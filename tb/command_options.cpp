@@ -60,6 +60,10 @@ void add_render(CLI::App& app, RenderOptions& options) {
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
   file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
   file("--stats", options.stats, "FILE.json", "Statistics");
+  file(
+      "--vcd", options.vcd, "FILE",
+      "Ports and wires of the chip as waveform, FILE.vcd or FILE.fst, with level signal; `racebeam "
+      "trace` has windows and registers");
   render
       ->add_option("--golden", options.golden,
                    "trace2, trace4, geometry: render with this golden tracer instead of the chip; "
@@ -78,7 +82,8 @@ void add_render(CLI::App& app, RenderOptions& options) {
 
 void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* bench = app.add_subcommand("bench", "Measure simulated clocks a second");
-  bench->add_option("unit", options.units, "Only these unit test benches")->type_name("UNIT");
+  bench->add_option("row", options.rows, "Only these: levels, traces, mixes, or units")
+      ->type_name("ROW");
   bench->add_option("--frames", options.frames, "Frames of each demo part")
       ->type_name("N")
       ->check(CLI::Range(1, 1000))

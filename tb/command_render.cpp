@@ -97,6 +97,7 @@ int command_render(const RenderOptions& options) {
             : chip ? chip->bench().sound()
                    : nullptr,
             [&] { return report.text(); });
+  if (chip) chip->finish();
   if (plan.json) print(report.text());
   else if (report.frames() > 1) print(table_total(report));
   const bool differs = chip && report_locksteps(plan, options, chip->bench(), report.frames());

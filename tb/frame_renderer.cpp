@@ -33,7 +33,16 @@ PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::
 }  // namespace
 
 FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
-    : plan_(plan), bench_(make_bench(plan, sound)) {}
+    : plan_(plan), bench_(make_bench(plan, sound)) {
+  if (!plan.vcd.empty())
+    wave_ = std::make_unique<FrameWave>(dynamic_cast<SignalBench&>(*bench_), plan.show,
+                                        Raster(plan.k.clocks_per_pixel, plan.k.speed), plan.first,
+                                        plan.vcd);
+}
+
+void FrameRenderer::finish() {
+  if (wave_) wave_->commit();
+}
 
 RenderedFrame FrameRenderer::render(int index) {
   bench_->seek(plan_.frame(index));

@@ -9,6 +9,7 @@
 #include "tb/chip_bench.h"
 #include "tb/render_options.h"
 #include "tb/rendered_frame.h"
+#include "tb/trace/frame_wave.h"
 
 namespace racebeam {
 
@@ -21,11 +22,15 @@ class FrameRenderer {
   /// The `index`-th frame of the plan, with its files if there is a folder. Throws SyncError.
   RenderedFrame render(int index);
 
+  /// Ends the waveform, if there is one. Throws OutputError.
+  void finish();
+
   const ChipBench& bench() const { return *bench_; }
 
  private:
   const RenderPlan& plan_;
   std::unique_ptr<ChipBench> bench_;
+  std::unique_ptr<FrameWave> wave_;
 };
 
 }  // namespace racebeam

@@ -146,7 +146,7 @@ std::string RenderFiles::manifest() const {
 std::string RenderFiles::summary() const {
   std::string text = counted(frames_, "frame");
   if (!plan_.folder.empty()) text += " in " + plan_.folder;
-  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet})
+  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.vcd})
     if (!path.empty() && frames_ > 0) text += ", " + path;
   if (!plan_.stats.empty()) text += ", " + plan_.stats;
   return text;

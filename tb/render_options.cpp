@@ -14,6 +14,7 @@
 #include "tb/nearest.h"
 #include "tb/open_show.h"
 #include "tb/set_knob.h"
+#include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
 
 namespace racebeam {
@@ -93,15 +94,32 @@ void check_outputs(const OutputPlan& plan) {
   check_extension("--stats", plan.stats, ".json");
 }
 
-// RTL has pins, so it needs a chip that is wired.
+// RTL has pins, and waveforms have wires: both need a chip that is wired.
 std::string chosen_level(const RenderOptions& options) {
-  if (options.level.empty()) return options.units.empty() ? LevelTlm : LevelSignal;
+  const bool wired = !options.units.empty() || !options.vcd.empty();
+  if (options.level.empty()) return wired ? LevelSignal : LevelTlm;
   check_known("level", options.level, {LevelTlm, LevelSignal});
   if (options.level == LevelTlm && !options.units.empty())
     throw UsageError(
         "--use puts RTL between the wires of --level signal; tlm has none: leave out "
         "--level tlm, or --use");
+  if (options.level == LevelTlm && !options.vcd.empty())
+    throw UsageError(
+        "--vcd shows the wires of --level signal; leave out --level tlm, or see `racebeam trace "
+        "--level tlm`");
   return options.level;
+}
+
+// What a waveform of whole frames needs.
+void check_wave(const RenderPlan& plan) {
+  if (plan.vcd.empty()) return;
+  if (!is_waveform(plan.vcd)) throw UsageError(plan.vcd + ": a waveform ends with .vcd or .fst");
+  if (plan.vcd.substr(plan.vcd.size() - 4) == ".fst") need_vcd2fst();
+  if (plan.tracer) throw UsageError("--vcd needs the chip; leave out --golden, or --vcd");
+  if (plan.every != 1 || plan.jobs != 1 || plan.first + plan.frames > plan.show.frames())
+    throw UsageError(
+        "--vcd needs consecutive frames up to the end of the show, in one process; leave out "
+        "--every and --jobs, or --vcd");
 }
 
 // What several processes cannot do.
@@ -131,7 +149,7 @@ void check_distinct(const OutputPlan& plan) {
     return fs::weakly_canonical(fs::absolute(path), ignored);
   };
   std::set<fs::path> seen;
-  for (const std::string& path : {plan.gif, plan.wav, plan.sheet, plan.stats}) {
+  for (const std::string& path : {plan.gif, plan.wav, plan.sheet, plan.stats, plan.vcd}) {
     if (path.empty() || fs::is_other(path)) continue;
     const fs::path file = real(path);
     if (!seen.insert(file).second)
@@ -178,12 +196,15 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
       options.crc,
       options.json,
       options.command};
+  plan.vcd = options.vcd;
   check_outputs(plan);
   check_distinct(plan);
   plan.overlays = maps_of(options.overlays);
   if (!plan.overlays.empty() && (!options.project.empty() || tracer_of(options.golden)))
     throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
-  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats).empty() ||
+  if (!plan.vcd.empty() && !options.project.empty())
+    throw UsageError("--vcd needs the model of the chip; leave out --tt, or --vcd");
+  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats + plan.vcd).empty() ||
       (plan.folder.empty() && !plan.overlays.empty()))
     plan.folder = DefaultFolder;
   return plan;
@@ -211,6 +232,7 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
   check_sound(plan);
+  check_wave(plan);
   check_jobs(plan);
   return plan;
 }

@@ -29,6 +29,7 @@ struct RenderOptions {
   std::vector<std::string> assignments;  ///< knob=value
   std::vector<std::string> units;        ///< unit=implementation
   std::string folder, gif, wav, sheet, stats;
+  std::string vcd;                    ///< waveform
   std::vector<std::string> overlays;  ///< names of maps
   std::string golden;                 ///< a golden tracer, "compare", or empty
   std::string project;                ///< Tiny Tapeout project folder, instead of a scene
@@ -44,6 +45,7 @@ struct OutputPlan {
   bool crc, json;
   std::vector<std::string> command;
   std::vector<MapKind> overlays{};  ///< into the folder, for each frame
+  std::string vcd{};                ///< of the chip's ports and wires, or empty
 };
 
 /// The chip of this project, or a golden tracer, and a show.

@@ -93,5 +93,37 @@ TEST_F(CliTraceFilesTest, AroundShowsTheLinesOfItsTrigger) {
   EXPECT_TRUE(seen) << said;
 }
 
+// The frames of a render, in one file, without registers.
+TEST_F(CliTraceFilesTest, RenderWritesTheWaveformOfItsFrames) {
+  const auto render = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"render", "demo"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Program run(folder.path(), arguments);
+    const int code = run.wait();
+    said = run.err();
+    return code;
+  };
+  ASSERT_EQ(render({"--first", "60", "--frames", "2", "--vcd", "r.vcd", "-o", "with"}), 0) << said;
+  EXPECT_THAT(said, HasSubstr("wrote 2 frames in with, r.vcd"));
+  Program window(folder.path(),
+                 {"trace", "demo", "-o", "t.vcd", "--from", "60:-273", "--to", "61:251"});
+  ASSERT_EQ(window.wait(), 0) << window.err();
+  EXPECT_TRUE(read_file(folder / "r.vcd") == read_file(folder / "t.vcd"));
+  EXPECT_NE(read_file(folder / "r.gtkw"), "");
+  ASSERT_EQ(render({"--first", "60", "--frames", "2", "-o", "without"}), 0) << said;
+  EXPECT_TRUE(read_file(folder / "with/frame_0061.png") ==
+              read_file(folder / "without/frame_0061.png"));
+  const auto refused = [&](std::vector<std::string> more, const char* words) {
+    more.insert(more.end(), {"--vcd", "x.vcd"});
+    EXPECT_EQ(render(more), 2);
+    EXPECT_THAT(said, HasSubstr(words));
+    EXPECT_EQ(read_file(folder / "x.vcd"), "");
+  };
+  refused({"--level", "tlm"}, "leave out --level tlm");
+  refused({"--frames", "4", "--jobs", "2"}, "leave out --every and --jobs");
+  refused({"--golden", "trace4"}, "leave out --golden");
+  refused({"--gif", "x.vcd"}, "rename x.vcd");
+}
+
 }  // namespace
 }  // namespace racebeam

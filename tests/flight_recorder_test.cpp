@@ -20,7 +20,7 @@
 namespace racebeam {
 namespace {
 
-constexpr std::int64_t Keep = 300'000;
+constexpr std::int64_t Keep = 300'000, Step = 200'000;
 constexpr int Replayed = 7;  ///< exit code of a replay
 
 class FlightRecorderTest : public testing::Test {
@@ -54,7 +54,7 @@ class FlightRecorderTest : public testing::Test {
 };
 
 TEST_F(FlightRecorderTest, ACopyStandsBeforeWhatItIsToWrite) {
-  FlightRecorder recorder(Keep, replay);
+  FlightRecorder recorder(Keep, replay, Step);
   run_to(recorder, 1'250'000);
   const std::int64_t event = 1'250'000;
   EXPECT_EQ(recorder.replay({FlightEvent::Condition, event, event - Keep, event + 5, 0}), Replayed);
@@ -66,7 +66,7 @@ TEST_F(FlightRecorderTest, ACopyStandsBeforeWhatItIsToWrite) {
 
 TEST_F(FlightRecorderTest, WhateverItsClockAnEventFindsACopyFarEnoughBack) {
   for (std::int64_t event = 0; event < 1'500'000; event += 70'000) {
-    FlightRecorder recorder(Keep, replay);
+    FlightRecorder recorder(Keep, replay, Step);
     clock = 0;
     run_to(recorder, event);
     recorder.replay({FlightEvent::Condition, event, event - Keep, event, 0});
@@ -75,8 +75,16 @@ TEST_F(FlightRecorderTest, WhateverItsClockAnEventFindsACopyFarEnoughBack) {
   }
 }
 
+TEST_F(FlightRecorderTest, ForAFewClocksCopiesAreFarApart) {
+  FlightRecorder recorder(10, replay);
+  run_to(recorder, 1'900'000);
+  EXPECT_EQ(recorder.oldest(), 0);
+  recorder.replay({FlightEvent::Condition, 1'900'000, 1'899'990, 1'900'000, 0});
+  EXPECT_EQ(found().stands, 1'000'000);
+}
+
 TEST_F(FlightRecorderTest, AtTheBeginningThereIsLessToKeep) {
-  FlightRecorder recorder(Keep, replay);
+  FlightRecorder recorder(Keep, replay, Step);
   run_to(recorder, 100'000);
   EXPECT_EQ(recorder.oldest(), 0);
   recorder.replay({FlightEvent::Interrupt, 100'000, -200'000, 100'000, 0});
@@ -85,7 +93,7 @@ TEST_F(FlightRecorderTest, AtTheBeginningThereIsLessToKeep) {
 
 TEST_F(FlightRecorderTest, NoMoreThanTwoCopiesAreAliveAndNoneIsLeft) {
   {
-    FlightRecorder recorder(Keep, replay);
+    FlightRecorder recorder(Keep, replay, Step);
     run_to(recorder, 3'000'000);
     EXPECT_EQ(recorder.oldest(), 2'700'000);
     EXPECT_TRUE(has_children());
@@ -105,7 +113,7 @@ TEST_F(FlightRecorderTest, ACrashWritesWhatWasBeforeIt) {
   for (const int number : {SIGSEGV, SIGABRT, SIGFPE}) {
     const pid_t crashing = fork();
     if (crashing == 0) {
-      FlightRecorder recorder(Keep, replay);
+      FlightRecorder recorder(Keep, replay, Step);
       recorder.catch_crashes([this] { return clock - 1; });
       run_to(recorder, 1'000'000);
       raise(number);
@@ -127,7 +135,7 @@ TEST_F(FlightRecorderTest, ACrashWritesWhatWasBeforeIt) {
 TEST_F(FlightRecorderTest, AFullStackIsACrashToo) {
   const pid_t crashing = fork();
   if (crashing == 0) {
-    FlightRecorder recorder(Keep, replay);
+    FlightRecorder recorder(Keep, replay, Step);
     recorder.catch_crashes([] { return 5; });
     recorder.pass(0);
     volatile int depth = 0;

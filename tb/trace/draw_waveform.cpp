@@ -29,11 +29,6 @@ bool takes(const TraceSelection& selection, const std::string& path) {
 
 }  // namespace
 
-bool is_waveform(const std::string& path) {
-  const fs::path extension = fs::path(path).extension();
-  return extension == ".vcd" || extension == ".fst";
-}
-
 void check_picture_name(const std::string& picture) {
   if (fs::path(picture).extension() != ".svg")
     throw UsageError(picture + ": a picture of a waveform ends with .svg");

@@ -10,9 +10,6 @@
 
 namespace racebeam {
 
-/// Whether `path` names a waveform: it ends with .vcd or .fst.
-bool is_waveform(const std::string& path);
-
 /// Throws UsageError unless `picture` is the name of an SVG file.
 void check_picture_name(const std::string& picture);
 

@@ -18,7 +18,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr std::int64_t ShortestStep = 200'000;  ///< clocks between two copies
 constexpr int NoAnswer = -1;
 const std::initializer_list<int> Crashes = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 const std::initializer_list<int> Interrupts = {SIGINT, SIGTERM, SIGHUP};
@@ -34,8 +33,9 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-FlightRecorder::FlightRecorder(std::int64_t keep, std::function<int(const FlightEvent&)> replay)
-    : keep_(keep), step_(std::max(keep, ShortestStep)), replay_(std::move(replay)) {}
+FlightRecorder::FlightRecorder(std::int64_t keep, std::function<int(const FlightEvent&)> replay,
+                               std::int64_t shortest_step)
+    : keep_(keep), step_(std::max(keep, shortest_step)), replay_(std::move(replay)) {}
 
 FlightRecorder::~FlightRecorder() {
   if (crashing == this) {

@@ -34,6 +34,11 @@ bool vcd2fst(std::string from, std::string to) {
 
 }  // namespace
 
+bool is_waveform(const std::string& path) {
+  const fs::path extension = fs::path(path).extension();
+  return extension == ".vcd" || extension == ".fst";
+}
+
 void need_vcd2fst() {
   if (std::system("command -v vcd2fst >/dev/null") != 0)
     throw MissingTool("vcd2fst is not installed; install the package `gtkwave`, or write a .vcd");

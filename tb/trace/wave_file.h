@@ -11,6 +11,9 @@
 
 namespace racebeam {
 
+/// Whether `path` names a waveform: it ends with .vcd or .fst.
+bool is_waveform(const std::string& path);
+
 /// Throws MissingTool if vcd2fst is not installed.
 void need_vcd2fst();
 

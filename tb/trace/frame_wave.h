@@ -1,0 +1,35 @@
+// FrameWave: ports and wires of the chip while frames are rendered, as a waveform.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "tb/show.h"
+#include "tb/trace/signal_trace.h"
+#include "tb/trace/trace_files.h"
+
+namespace racebeam {
+
+class FrameWave {
+ public:
+  /// Begins with frame `first`, which the bench is put to, and follows it from there; `bench` and
+  /// `show` outlive it. Throws OutputError.
+  FrameWave(SignalBench& bench, const Show& show, const Raster& raster, int first,
+            const std::string& path);
+
+  /// Ends the file after the clocks so far. Throws OutputError.
+  void commit();
+
+ private:
+  SignalBench& bench_;
+  const Raster raster_;
+  VcdWriter vcd_;
+  SignalTrace trace_;
+  TraceFiles files_;
+  const std::int64_t first_;
+  std::int64_t next_;
+};
+
+}  // namespace racebeam
