@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "sc/chip_core.h"
 #include "tests/program.h"
+#include "tests/traced_chip.h"
 #include "tests/wave.h"
 
 namespace racebeam {
@@ -21,10 +21,7 @@ constexpr int LineClocks = 1600;  // of the taped-out chip
 
 /// Clocks since the start of frame 0.
 inline std::uint64_t ordinal(int frame, int line, int clock = 0) {
-  return (static_cast<std::uint64_t>(frame) * FrameLines +
-          static_cast<std::uint64_t>(line - FirstLine)) *
-             LineClocks +
-         static_cast<std::uint64_t>(clock);
+  return static_cast<std::uint64_t>(FrameClock{frame, line, clock}.ordinal(LineClocks));
 }
 
 inline std::string place(int frame, int line) {
@@ -33,8 +30,9 @@ inline std::string place(int frame, int line) {
 
 class CliTraceBench : public testing::Test {
  protected:
-  Wave trace(const std::vector<std::string>& more, const std::string& file = "t.vcd") {
-    std::vector<std::string> arguments = {"trace", "demo", "-o", file};
+  Wave trace(const std::vector<std::string>& more, const std::string& file = "t.vcd",
+             const std::string& scene = "demo") {
+    std::vector<std::string> arguments = {"trace", scene, "-o", file};
     arguments.insert(arguments.end(), more.begin(), more.end());
     Program run(folder.path(), arguments);
     EXPECT_EQ(run.wait(), 0) << run.err();

@@ -4,10 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include <random>
-
-#include "sc/probe.h"
 #include "tests/cli_trace_bench.h"
+#include "tests/traced_window.h"
 
 namespace racebeam {
 namespace {
@@ -15,76 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// All registers of a chip of the demo, by their paths.
-std::vector<probe> registers_of_chip(const chip_core& chip, const knobs& k) {
-  std::vector<probe> all;
-  const auto add = [&all](const char* unit, const std::vector<probe>& probes) {
-    for (probe one : probes) {
-      one.name = std::string("chip.u_") + unit + "." + one.name;
-      all.push_back(one);
-    }
-  };
-  add("vga_timing", registers_of(chip.vga_timing, k));
-  add("sequencer", registers_of(chip.sequencer, k));
-  add("camera_unit", registers_of(chip.camera_unit, k));
-  add("ray_stepper", registers_of(chip.ray_stepper, k));
-  add("subdivider", registers_of(chip.subdivider, k));
-  add("stacks", registers_of(chip.stacks, k));
-  add("decision_datapath", registers_of(chip.decision_datapath, k));
-  add("navigator", registers_of(chip.navigator, k));
-  add("interval_fifo", registers_of(chip.interval_fifo, k));
-  add("pwm_sound", registers_of(chip.pwm_sound));
-  return all;
-}
-
-/// Compares registers and some wires of `wave` with the cores, clock by clock.
-void expect_the_cores(const Wave& wave, int frame, int line, int lines) {
-  const knobs k;
-  chip_core chip;
-  chip.clock(false, k);
-  chip.deposit(frame, k);
-  const auto registers = registers_of_chip(chip, k);
-  for (int clock = 0; clock < (line - FirstLine) * LineClocks; ++clock) chip.clock(true, k);
-  std::vector<const Wave::Signal*> shown;
-  for (const probe& one : registers) {
-    shown.push_back(&wave[one.name]);
-    EXPECT_EQ(shown.back()->bits, one.bits) << one.name;
-  }
-  const Wave::Signal &emit = wave["chip.emit"], &ack = wave["chip.u_interval_fifo.ack_o"],
-                     &restart = wave["chip.u_decision_datapath.restart_i"],
-                     &fill = wave["chip.fill"], &y = wave["beam.line"];
-  for (int clock = 0; clock < lines * LineClocks; ++clock) {
-    const std::uint64_t time = (ordinal(frame, line) + static_cast<std::uint64_t>(clock)) * Period;
-    for (std::size_t n = 0; n < registers.size(); ++n)
-      ASSERT_EQ(shown[n]->number(time), registers[n].read())
-          << registers[n].name << " in clock " << clock << " from line " << line << " of frame "
-          << frame;
-    chip_view view{};
-    chip.clock(true, k, &view);
-    ASSERT_EQ(emit.at(time) == "1", view.emit);
-    ASSERT_EQ(ack.at(time) == "1", view.ack);
-    ASSERT_EQ(restart.at(time) == "1", view.restart);
-    ASSERT_EQ(fill.number(time), static_cast<unsigned>(view.fill));
-    ASSERT_EQ(wrap_signed(static_cast<int>(y.number(time)), 10), view.y);
-    ASSERT_EQ(wave["chip.clk_i"].at(time), "1");
-    ASSERT_EQ(wave["chip.clk_i"].at(time + Period / 2), "0");
-  }
-}
-
 using CliTraceTest = CliTraceBench;
-
-TEST_F(CliTraceTest, EveryRegisterIsThatOfTheCoresInEveryClockOfRandomWindows) {
-  std::minstd_rand random(7);
-  for (int n = 0; n < 3; ++n) {
-    const int frame = static_cast<int>(random() % DemoFrames);
-    const int line = FirstLine + static_cast<int>(random() % (FrameLines - 4));
-    const Wave wave = trace({"--from", place(frame, line), "--to", place(frame, line + 2)});
-    EXPECT_EQ(wave.scale, "1ps");
-    EXPECT_EQ(wave.begin, ordinal(frame, line) * Period);
-    EXPECT_EQ(wave.end, ordinal(frame, line + 3) * Period);
-    expect_the_cores(wave, frame, line, 3);
-  }
-}
 
 TEST_F(CliTraceTest, RtlHasTheSignalsOfTheModelWithTheSameChanges) {
   const std::vector<std::string> window = {"--from", "7223:-100", "--to", "7223:-98"};
@@ -137,15 +66,7 @@ TEST_F(CliTraceTest, LockstepShowsBothSides) {
              "chip.u_stacks", "--scope", "*.i1_q"});
   EXPECT_TRUE(wave.signals.count("chip.u_subdivider.i1_q"));
   EXPECT_FALSE(wave.signals.count("chip.u_subdivider.i2_q"));
-  int both = 0;
-  for (const auto& [path, signal] : wave.signals) {
-    if (path.rfind("chip.u_stacks.rtl.", 0) != 0) continue;
-    const auto model = wave.signals.find("chip.u_stacks." + path.substr(18));
-    if (model == wave.signals.end()) continue;
-    ++both;
-    EXPECT_TRUE(model->second == signal) << path;
-  }
-  EXPECT_GE(both, 20) << "outputs and registers";
+  EXPECT_GE(expect_both_sides(wave, "chip.u_stacks"), 20) << "outputs and registers";
 }
 
 TEST_F(CliTraceTest, StatesAreWordsToo) {

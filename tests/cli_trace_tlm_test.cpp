@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <thread>
 
 #include "tests/program.h"
+#include "tests/traced_chip.h"
 #include "tests/transaction_account.h"
 #include "tests/wave.h"
 
@@ -39,29 +41,18 @@ class CliTraceTlmTest : public testing::Test {
     return Wave(folder / file);
   }
 
-  struct Place {
-    int frame, line, clock;
-    std::string text() const {
-      return std::to_string(frame) + ":" + std::to_string(line) + ":" + std::to_string(clock);
-    }
-    std::int64_t clocks_since(int first, int line_clocks) const {
-      return (static_cast<std::int64_t>(frame - first) * FrameLines + line - FirstLine) *
-                 line_clocks +
-             clock;
-    }
-  };
   /// Compares the window, both ends in it, with the cores.
-  TransactionAccount expect_the_cores(Place from, Place to, const knobs& k = {},
+  TransactionAccount expect_the_cores(FrameClock from, FrameClock to, const knobs& k = {},
                                       const std::vector<std::string>& more = {}) {
     std::vector<std::string> arguments = {"--from", from.text(), "--to", to.text()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Wave wave = trace("tlm", arguments);
     const int line_clocks = LinePixels * k.clocks_per_pixel;
-    const std::int64_t begin = from.clocks_since(from.frame, line_clocks),
-                       end = to.clocks_since(from.frame, line_clocks) + 1;
+    const std::int64_t start = FrameClock{from.frame, FirstLine, 0}.ordinal(line_clocks),
+                       begin = from.ordinal(line_clocks) - start,
+                       end = to.ordinal(line_clocks) - start + 1;
     const auto period = static_cast<std::uint64_t>(clock_period_ps(k.clocks_per_pixel));
-    const std::uint64_t origin =
-        static_cast<std::uint64_t>(from.frame) * FrameLines * line_clocks * period;
+    const std::uint64_t origin = static_cast<std::uint64_t>(start) * period;
     EXPECT_EQ(wave.scale, "1ps");
     EXPECT_EQ(wave.begin, origin + static_cast<std::uint64_t>(begin) * period);
     EXPECT_EQ(wave.end, origin + static_cast<std::uint64_t>(end) * period);
@@ -147,7 +138,12 @@ TEST_P(TraceLevels, TransactionsBeginAndEndWithTheSignalsOfTheWiredChip) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, TraceLevels,
     testing::Values(std::pair{"demo", "dithering=on"}, std::pair{"demo", "speed=3"},
-                    std::pair{RACEBEAM_SOURCE_DIR "/scenes/house.toml", "dithering=on"}));
+                    std::pair{RACEBEAM_SOURCE_DIR "/scenes/house.toml", "dithering=on"}),
+    [](const auto& info) {
+      std::string name = fs::path(info.param.first).stem().string() + "_" + info.param.second;
+      std::replace(name.begin(), name.end(), '=', '_');
+      return name;
+    });
 
 TEST_F(CliTraceTlmTest, AnFstHasTheChangesOfTheVcd) {
   const Wave vcd = trace("tlm", {"--from", "60:0", "--to", "60:20"});

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <random>
 #include <string>
 
 #include "tb/core_bench.h"
@@ -16,6 +15,7 @@
 #include "tb/show.h"
 #include "tb/tlm_bench.h"
 #include "tests/expect_stats.h"
+#include "tests/random_knobs.h"
 
 namespace racebeam {
 namespace {
@@ -70,18 +70,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, TlmScene, testing::ValuesIn(scene_files()), [](
       name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name;
 });
-
-/// Any setting of the built-in demo: each knob at its default, at one end or anywhere.
-knobs random_knobs(int seed) {
-  std::mt19937 random(seed);
-  const auto below = [&](int count) { return static_cast<int>(random() % count); };
-  knobs k;
-  for (const knob_info& row : knob_table()) {
-    const int max = row.member == &knobs::corner_bits ? CornerBits : row.max;
-    if (below(3) == 0) k.*row.member = below(3) == 0 ? row.min : row.min + below(max - row.min + 1);
-  }
-  return k;
-}
 
 class TlmKnobs : public testing::TestWithParam<int> {};
 

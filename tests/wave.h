@@ -68,6 +68,9 @@ class Wave {
     return at->second;
   }
 
+  /// Identifier of a signal in the file; the names of a wire share one.
+  const std::string& code(const std::string& path) const { return codes_.at(path); }
+
   std::map<std::string, Signal> signals;  ///< by path
   std::uint64_t begin = 0, end = 0;       ///< first and last time
   std::string scale;

@@ -51,7 +51,7 @@ int report_diff(const std::string& a_path, const std::string& b_path, bool share
   }
   const bool same = shared_only || result.same();
   print(fmt::format("{}, {}: no difference\n", counted(result.shared, "shared signal"),
-                    counted(result.changes / 2, "change")));
+                    counted(result.changes, "change")));
   return same ? ExitGood : ExitDifference;
 }
 

@@ -36,8 +36,8 @@ bool TraceSelection::takes(const std::string& path) const {
   return scopes.empty() || any_matches(scopes, path);
 }
 
-SignalTrace::SignalTrace(const SignalBench& bench, const Raster& raster, int period_ps,
-                         const TraceSelection& selection, bool overview,
+SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster,
+                         int period_ps, const TraceSelection& selection, bool overview,
                          std::function<std::string(int)> part, VcdWriter& vcd)
     : raster_(raster),
       period_(static_cast<std::uint64_t>(period_ps)),
@@ -46,7 +46,7 @@ SignalTrace::SignalTrace(const SignalBench& bench, const Raster& raster, int per
   add_beam(!overview);
   const std::size_t virtual_ones = vcd_.names().size();
   std::map<const void*, int> carried;  // signals of wires that have a name already
-  for (const ChipSignal& signal : chip_signals(bench)) {
+  for (const ChipSignal& signal : signals) {
     if (!selection.takes(signal.path()) || (overview && !is_calm(signal))) continue;
     if (signal.is_clock()) {
       vcd_.alias(signal.scope, signal.name, clk_);

@@ -28,10 +28,10 @@ struct TraceSelection {
 
 class SignalTrace {
  public:
-  /// Adds the signals of `bench` to `vcd`; both outlive the trace. `part`: what a frame shows.
+  /// Adds `signals` to `vcd`, which outlives the trace. `part`: what a frame shows.
   /// `overview`: of a window so long that all would be too much; ports and wires only, and not
   /// those that change in every clock. Throws UsageError if nothing is selected.
-  SignalTrace(const SignalBench& bench, const Raster& raster, int period_ps,
+  SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster, int period_ps,
               const TraceSelection& selection, bool overview, std::function<std::string(int)> part,
               VcdWriter& vcd);
 

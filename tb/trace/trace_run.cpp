@@ -12,6 +12,7 @@ namespace racebeam {
 TraceRun::TraceRun(SignalBench& bench, const Raster& raster, const TracePoint& start)
     : bench_(bench),
       raster_(raster),
+      signals_(chip_signals(bench)),
       clock_(TracePoint{start.frame, FirstLine, 0}.ordinal(raster)) {
   bench_.seek(start.frame);
   bench_.settle();

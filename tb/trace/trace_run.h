@@ -6,8 +6,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "tb/signal_bench.h"
+#include "tb/trace/chip_signals.h"
 #include "tb/trace/trace_window.h"
 
 namespace racebeam {
@@ -19,6 +21,9 @@ class TraceRun {
 
   SignalBench& bench() { return bench_; }
   const Raster& raster() const { return raster_; }
+  /// All signals. They are asked for before the first clock: what a unit has missed asleep, it does
+  /// not know later.
+  const std::vector<ChipSignal>& signals() const { return signals_; }
   /// Ordinal of the clock it stands in.
   std::int64_t clock() const { return clock_; }
   /// Ordinal of the clock that the kernel is in: during go_to() it runs ahead of clock().
@@ -35,6 +40,7 @@ class TraceRun {
  private:
   SignalBench& bench_;
   const Raster& raster_;
+  const std::vector<ChipSignal> signals_;
   std::int64_t clock_;
   std::int64_t epoch_;  // of the kernel's time, in clocks: ordinal of its time 0
 };

@@ -70,9 +70,10 @@ VcdComparison compare_vcds(VcdReader& a, VcdReader& b) {
     const auto step = [&](VcdReader& reader, const std::vector<std::vector<Pair>>& pairs) {
       if (reader.next_time() != time) return;
       for (const int signal : reader.advance()) {
-        ++result.changes;
         if (static_cast<std::size_t>(signal) >= pairs.size()) continue;
-        for (const Pair& pair : pairs[static_cast<std::size_t>(signal)]) moved.push_back(&pair);
+        const auto& compared = pairs[static_cast<std::size_t>(signal)];
+        result.changes += &reader == &a && !compared.empty();
+        for (const Pair& pair : compared) moved.push_back(&pair);
       }
     };
     step(a, of_a);

@@ -24,7 +24,7 @@ struct VcdDifference {
 
 struct VcdComparison {
   std::vector<std::string> only_a, only_b;  ///< paths in one of them only, or of other widths
-  std::uint64_t shared = 0, changes = 0;    ///< paths compared; changes seen
+  std::uint64_t shared = 0, changes = 0;    ///< paths compared; changes of theirs in the first
   std::optional<VcdDifference> first;
 
   bool same() const { return only_a.empty() && only_b.empty() && !first; }

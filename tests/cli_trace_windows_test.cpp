@@ -1,0 +1,243 @@
+// `racebeam trace` on random windows: what its waveforms say is what the cores did, whatever the
+// units are made of.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "sc/unit_choices.h"
+#include "tb/scene/scene_reader.h"
+#include "tb/show.h"
+#include "tests/cli_trace_bench.h"
+#include "tests/random_knobs.h"
+#include "tests/traced_window.h"
+
+namespace racebeam {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr int Wires = 110;  // and ports of the chip, each of which some unit drives
+
+class CliTraceWindowsTest : public CliTraceBench {
+ protected:
+  Wave trace_window(const Window& window, const std::string& units, const std::string& file,
+                    std::vector<std::string> more = {}, const std::string& scene = "demo") {
+    for (const std::string& word : window.arguments()) more.push_back(word);
+    if (!units.empty()) more.insert(more.end(), {"--use", units});
+    return trace(more, file, scene);
+  }
+};
+
+std::string seed_of(const testing::TestParamInfo<int>& info) {
+  return "seed_" + std::to_string(info.param);
+}
+
+/// A window of the demo; every third goes over the end of a frame.
+class RandomWindow : public CliTraceWindowsTest, public testing::WithParamInterface<int> {
+ protected:
+  std::string note() const {
+    return "seed " + std::to_string(GetParam()) + ": " + window.from.text() + " to " +
+           window.to.text();
+  }
+
+  std::minstd_rand random = random_from(GetParam());
+  const Window window = random_window(random, DemoFrames, LineClocks, GetParam() % 3 == 0);
+};
+
+TEST_P(RandomWindow, OfModelsHasTheRegistersAndWiresOfTheCoresInEveryClock) {
+  SCOPED_TRACE(note());
+  const Wave wave = trace_window(window, "", "t.vcd");
+  TracedChip chip({}, window.from.frame);
+  expect_the_cores(wave, window, chip);
+  EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+}
+
+TEST_P(RandomWindow, OfRtlHasTheRegistersAndWiresOfTheCoresInEveryClock) {
+  SCOPED_TRACE(note());
+  const Wave wave = trace_window(window, "all=rtl", "t.vcd");
+  TracedChip chip({}, window.from.frame);
+  expect_the_cores(wave, window, chip);
+  EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+}
+
+TEST_P(RandomWindow, OfAMixHasTheRegistersAndWiresOfTheCoresInEveryClock) {
+  std::string mix;
+  std::vector<std::string> beside;
+  for (const std::string& unit : chip_units(false)) {
+    const char* const kinds[] = {"model", "rtl", "lockstep"};
+    const int kind = below(random, 3);
+    mix += (mix.empty() ? "" : ",") + unit + "=" + kinds[kind];
+    if (kind == 2) beside.push_back(instance_of(unit));
+  }
+  SCOPED_TRACE(note() + ", " + mix);
+  const Wave wave = trace_window(window, mix, "t.vcd");
+  TracedChip chip({}, window.from.frame);
+  expect_the_cores(wave, window, chip, beside);
+  EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+  for (const std::string& unit : beside) EXPECT_GT(expect_both_sides(wave, "chip." + unit), 0);
+}
+
+/// Lines of a file from the end of its declarations on, but for times.
+std::uint64_t changes_in(const std::string& text) {
+  std::istringstream in(text.substr(text.find("$enddefinitions")));
+  std::uint64_t count = 0;
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) count += line[0] != '#';
+  return count;
+}
+
+/// `digits` with one bit inverted.
+std::string inverted(std::string digits, int bit) {
+  char& digit = digits[digits.size() - 1 - static_cast<std::size_t>(bit)];
+  digit = digit == '0' ? '1' : '0';
+  return digits;
+}
+
+/// `text`, a waveform, where the signal has the value `digits` from `time` to its next change.
+std::string with_a_value(const std::string& text, const std::string& code,
+                         const std::string& digits, std::uint64_t time) {
+  const auto at = text.find("\n#" + std::to_string(time) + "\n");
+  const auto next = text.find("\n#", at + 1);  // after all changes of that time
+  const std::string change = digits.size() == 1 ? digits + code : "b" + digits + " " + code;
+  return text.substr(0, next + 1) + change + text.substr(next);
+}
+
+/// As the difference is told.
+std::string without_zeros(const std::string& digits) {
+  return digits.substr(std::min(digits.find('1'), digits.size() - 1));
+}
+
+TEST_P(RandomWindow, OfRtlDiffersInNoSharedSignalUntilABitOfOneIsInverted) {
+  SCOPED_TRACE(note());
+  const Wave model = trace_window(window, "", "model.vcd");
+  const Wave rtl = trace_window(window, "all=rtl", "rtl.vcd");
+  Program same(folder.path(), {"trace", "--diff", "model.vcd", "rtl.vcd", "--shared"});
+  EXPECT_EQ(same.wait(), 0);
+  EXPECT_EQ(same.out(), std::to_string(model.signals.size()) + " shared signals, " +
+                            std::to_string(changes_in(read_file(folder / "model.vcd"))) +
+                            " changes: no difference\n");
+
+  std::vector<std::string> paths;
+  for (const auto& [path, signal] : model.signals)
+    if (path.rfind("chip.u_", 0) == 0 && signal.kind == "wire") paths.push_back(path);
+  const std::string path = paths[static_cast<std::size_t>(below(random, paths.size()))];
+  const std::int64_t first = window.from.ordinal(LineClocks), last = window.to.ordinal(LineClocks);
+  const std::int64_t clock = first + below(random, last - first + 1);
+  const auto time = static_cast<std::uint64_t>(clock) * Period;
+  const std::string was = rtl[path].at(time), is = inverted(was, below(random, rtl[path].bits));
+  std::ofstream(folder / "changed.vcd")
+      << with_a_value(read_file(folder / "rtl.vcd"), rtl.code(path), is, time);
+  const auto names = std::count_if(model.signals.begin(), model.signals.end(), [&](const auto& s) {
+    return rtl.code(s.first) == rtl.code(path);
+  });
+  Program changed(folder.path(), {"trace", "--diff", "model.vcd", "changed.vcd", "--shared"});
+  EXPECT_EQ(changed.wait(), 1);
+  const FrameClock place = place_at(clock, LineClocks);
+  EXPECT_THAT(changed.out(),
+              StartsWith("first difference at " + std::to_string(time) + " ps (frame " +
+                         std::to_string(place.frame) + ", line " + std::to_string(place.line) +
+                         ", clock " + std::to_string(place.clock) + "): " + std::to_string(names) +
+                         (names == 1 ? " signal\n" : " signals\n")));
+  EXPECT_THAT(changed.out(), HasSubstr("  " + path + ": " + without_zeros(was) + " in model.vcd, " +
+                                       without_zeros(is) + " in changed.vcd\n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomWindow, testing::Range(1, 4), seed_of);
+
+/// Settings that are not those of the taped-out chip, for the command line.
+std::vector<std::string> assignments(const knobs& k) {
+  std::vector<std::string> words;
+  for (const knob_info& row : knob_table())
+    if (k.*row.member != knobs().*row.member)
+      words.insert(words.end(), {"--set", std::string(row.name) + "=" + row.text(k.*row.member)});
+  return words;
+}
+
+class RandomKnobs : public CliTraceWindowsTest, public testing::WithParamInterface<int> {};
+
+TEST_P(RandomKnobs, HaveTheRegistersAndWiresOfTheCoresInModelsAndRtl) {
+  const knobs k = random_knobs(GetParam());
+  auto random = random_from(GetParam());
+  const Window window =
+      random_window(random, DemoFrames, TracedChip(k, 0).line_clocks(), GetParam() % 2 == 0);
+  SCOPED_TRACE(window.from.text() + " " + testing::PrintToString(assignments(k)));
+  for (const char* units : {"all=model", "all=rtl"}) {
+    const Wave wave = trace_window(window, units, "t.vcd", assignments(k));
+    TracedChip chip(k, window.from.frame);
+    expect_the_cores(wave, window, chip);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomKnobs, testing::Values(1, 2), seed_of);
+
+/// Scene files: timeline and scene_rom in the places of sequencer and scene.
+class SceneWindow : public CliTraceWindowsTest,
+                    public testing::WithParamInterface<std::pair<const char*, const char*>> {};
+
+TEST_P(SceneWindow, HasTheRegistersAndWiresOfTheCoresInEveryClock) {
+  const auto [name, units] = GetParam();
+  const std::string file = RACEBEAM_SOURCE_DIR "/scenes/" + std::string(name) + ".toml";
+  const Show show(read_scene_file(file).scene, "");
+  auto random = random_from(5);
+  for (const bool over_the_end : {true, false}) {
+    const Window window = random_window(random, show.frames(), LineClocks, over_the_end);
+    SCOPED_TRACE(window.from.text() + " to " + window.to.text());
+    const Wave wave = trace_window(window, units, "t.vcd", {}, file);
+    TracedChip chip(show.standard_knobs(), window.from.frame, show.program());
+    expect_the_cores(wave, window, chip);
+    EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+    EXPECT_TRUE(wave.signals.count("chip.u_sequencer.g_turn[2].waited_q"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneWindow,
+                         testing::Values(std::pair{"house", "all=model"},
+                                         std::pair{"house", "all=rtl"},
+                                         std::pair{"museum", "all=model"}),
+                         [](const auto& info) {
+                           return std::string(info.param.first) + "_" + (info.param.second + 4);
+                         });
+
+TEST_F(CliTraceWindowsTest, LockstepShowsTheModelsValuesOnTheSideOfTheRtl) {
+  auto random = random_from(1);
+  const Window window = random_window(random, DemoFrames, LineClocks, false);
+  SCOPED_TRACE(window.from.text() + " to " + window.to.text());
+  const Wave wave = trace_window(window, "all=lockstep", "t.vcd");
+  TracedChip chip({}, window.from.frame);
+  std::vector<std::string> units;
+  for (const std::string& unit : chip_units(false)) units.push_back(instance_of(unit));
+  expect_the_cores(wave, window, chip, units);
+  for (const std::string& unit : units)
+    EXPECT_GE(expect_both_sides(wave, "chip." + unit), 1) << unit;
+  const int whole = expect_both_sides(wave, "chip");  // racebeam_top
+  const auto own = std::count_if(wave.signals.begin(), wave.signals.end(), [](const auto& s) {
+    return s.first.rfind("chip.", 0) == 0 && s.first.find(".rtl.") == std::string::npos &&
+           s.first.find(".clk_i") == std::string::npos;
+  });
+  EXPECT_EQ(whole, own) << "all of the model's but the clock";
+}
+
+TEST_F(CliTraceWindowsTest, MoreThanAHundredLinesAreAnOverviewOfPortsAndWires) {
+  const std::vector<std::string> lines = {"--from",     "7223:-150", "--to",
+                                          "7223:-50:0", "--set",     "clocks_per_pixel=1"};
+  const auto run = [&](const std::string& file, std::vector<std::string> more) {
+    std::vector<std::string> words = {"trace", "demo", "-o", file};
+    words.insert(words.end(), lines.begin(), lines.end());
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(folder.path(), words);
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    return program.err();
+  };
+  EXPECT_THAT(run("overview.vcd", {}), HasSubstr("a long window has ports and wires only"));
+  EXPECT_THAT(run("all.vcd", {"--scope", "*"}), Not(HasSubstr("ports and wires only")));
+}
+
+}  // namespace
+}  // namespace racebeam
