@@ -26,7 +26,7 @@ void traced(TraceRun& run, std::int64_t end, bool overview) {
   const Show show;
   VcdWriter vcd;
   SignalTrace trace(
-      run.bench(), raster, run.bench().period_ps(), {}, overview,
+      chip_signals(run.bench()), raster, run.bench().period_ps(), {}, overview,
       [&](int frame) { return show.part(frame); }, vcd);
   OutputFile file(Nowhere);
   vcd.stream(file, "bench");
@@ -61,7 +61,7 @@ void register_traces(const BenchOptions& options) {
                [bench, go, frames = options.frames](benchmark::State& state) {
                  const auto before = bench->clocks();
                  for (auto _ : state) {
-                   TraceRun run(*bench, raster, {BusyFrame, FirstLine, 0});
+                   TraceRun run(*bench, raster, BusyFrame);
                    go(run, run.clock() + static_cast<std::int64_t>(frames) * raster.frame_clocks());
                  }
                  state.counters["clocks"] = benchmark::Counter(

@@ -53,12 +53,14 @@ int watch(const TraceOptions& options, const TraceWindowReader& reader, SignalBe
   const TraceWindow where = options.searched(reader);
   std::optional<Condition> condition;
   if (!options.when.empty()) condition.emplace(options.when, bench, raster);
-  TraceRun run(bench, raster, where.from);
+  TraceRun run(bench, raster, where.from.frame);
   const EventWatch watch{
       condition ? &*condition : nullptr, options.clocks_before(raster),
       [&](const TracePoint& at) { return options.around_point(at, reader, raster); },
       [&](TraceRun& copy, const TraceWindow& window) { return writer.write(copy, window); }};
-  if (const std::optional<int> code = watch.run(run, where.to.ordinal(raster))) return *code;
+  if (const std::optional<int> code =
+          watch.run(run, where.from.ordinal(raster), where.to.ordinal(raster)))
+    return *code;
   if (!options.when.empty() && options.record == 0) throw options.nothing_found(where);
   tell(fmt::format("nothing happened from {}:{} to {}:{}; nothing is written", where.from.frame,
                    where.from.line, where.to.frame, where.to.line));
@@ -95,7 +97,7 @@ int command_trace(const TraceOptions& options) {
   for (const std::string& choice : options.units) use.use(setting.units, choice);
   SignalBench bench(setting);
   if (!window) return watch(options, reader, bench, raster, writer);
-  TraceRun run(bench, raster, window->from);
+  TraceRun run(bench, raster, window->from.frame);
   return writer.write(run, *window);
 }
 

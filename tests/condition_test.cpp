@@ -18,6 +18,7 @@ using testing::HasSubstr;
 
 class ConditionTest : public testing::Test {
  protected:
+  ConditionTest() { run.go_to(TracePoint{7223, -100, 333}.ordinal(raster)); }
   /// Whether it holds in the clock that the run stands in.
   bool holds(const std::string& text) { return Condition(text, bench, raster).holds(run.clock()); }
   std::string refusal(const std::string& text) {
@@ -31,7 +32,7 @@ class ConditionTest : public testing::Test {
 
   const Raster raster;
   SignalBench bench{{knobs{}}};
-  TraceRun run{bench, raster, {7223, -100, 333}};
+  TraceRun run{bench, raster, 7223};
 };
 
 TEST_F(ConditionTest, PlacesOfTheBeamAreSigned) {

@@ -20,7 +20,7 @@
 namespace racebeam {
 namespace {
 
-constexpr std::int64_t Keep = 300'000, Step = 200'000;
+constexpr std::int64_t Keep = 299'999, Step = 200'000;
 constexpr int Replayed = 7;  ///< exit code of a replay
 
 class FlightRecorderTest : public testing::Test {

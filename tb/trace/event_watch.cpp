@@ -61,7 +61,7 @@ FlightEvent EventWatch::event(const TraceRun& run, FlightEvent::Kind kind, std::
   return {kind, clock, window.from.ordinal(raster), window.to.ordinal(raster), detail};
 }
 
-std::optional<int> EventWatch::run(TraceRun& run, std::int64_t last) const {
+std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64_t last) const {
   const Raster& raster = run.raster();
   FlightRecorder recorder(keep, [&](const FlightEvent& what) {
     run.each_clock({});
@@ -74,24 +74,24 @@ std::optional<int> EventWatch::run(TraceRun& run, std::int64_t last) const {
   });
   recorder.pass(run.clock());
   const Differences differences(run, run.bench().locksteps());
+  recorder.catch_crashes([&run] { return run.kernel_clock() - 1; });
+  bool going = run.go_to(first);
   std::optional<std::int64_t> held;
   if (condition)
     run.each_clock([&](std::int64_t clock) {
       if (!held && condition->holds(clock)) held = clock;
     });
-  recorder.catch_crashes([&run] { return run.kernel_clock() - 1; });
-
-  for (bool going = true; going && run.clock() <= last;) {
-    going = run.go_to(run.clock() + raster.line_clocks());
+  while (run.clock() <= last) {
+    going = going && run.go_to(run.clock() + raster.line_clocks());
     if (held && *held <= last) {
       tell("--when holds in " + place_of(*held, raster));
       return recorder.replay(event(run, FlightEvent::Condition, *held));
     }
-    if (const auto first = differences.first(); first && first->clock <= last) {
-      tell(fmt::format("{}.{} differs in {}: the RTL has {:#x}, the model {:#x}", first->what->unit,
-                       first->what->port, place_of(first->clock, raster), first->what->got,
-                       first->what->expected));
-      const int code = recorder.replay(event(run, FlightEvent::Mismatch, first->clock));
+    if (const auto found = differences.first(); found && found->clock <= last) {
+      tell(fmt::format("{}.{} differs in {}: the RTL has {:#x}, the model {:#x}", found->what->unit,
+                       found->what->port, place_of(found->clock, raster), found->what->got,
+                       found->what->expected));
+      const int code = recorder.replay(event(run, FlightEvent::Mismatch, found->clock));
       return code == ExitGood ? static_cast<int>(ExitDifference) : code;
     }
     if (!going) {

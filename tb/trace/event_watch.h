@@ -24,9 +24,9 @@ struct EventWatch {
   /// Writes the window of a run that stands before it; returns the exit code.
   std::function<int(TraceRun&, const TraceWindow&)> write;
 
-  /// Runs up to the clock `last`, and says what happened. Returns the exit code; nothing: nothing
-  /// happened.
-  std::optional<int> run(TraceRun& run, std::int64_t last) const;
+  /// Watches the clocks `first` to `last` of a run that stands before them, and says what happened.
+  /// Returns the exit code; nothing: nothing happened.
+  std::optional<int> run(TraceRun& run, std::int64_t first, std::int64_t last) const;
 
  private:
   FlightEvent event(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,

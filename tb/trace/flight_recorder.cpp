@@ -35,7 +35,7 @@ int wait_for(pid_t process) {
 
 FlightRecorder::FlightRecorder(std::int64_t keep, std::function<int(const FlightEvent&)> replay,
                                std::int64_t shortest_step)
-    : keep_(keep), step_(std::max(keep, shortest_step)), replay_(std::move(replay)) {}
+    : keep_(keep), step_(std::max(keep + 1, shortest_step)), replay_(std::move(replay)) {}
 
 FlightRecorder::~FlightRecorder() {
   if (crashing == this) {
@@ -89,7 +89,7 @@ void FlightRecorder::wait_for_event(int orders) {
 int FlightRecorder::status_of(const FlightEvent& event) {
   const Copy* chosen = nullptr;
   for (const Copy& copy : copies_)
-    if (!chosen || copy.clock <= event.from) chosen = &copy;
+    if (!chosen || copy.clock < event.from) chosen = &copy;
   if (!chosen || write(chosen->order, &event, sizeof event) != sizeof event) return NoAnswer;
   return wait_for(chosen->process);
 }

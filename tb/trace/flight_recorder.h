@@ -29,9 +29,9 @@ class FlightRecorder {
   /// Half a second of simulation between two copies.
   static constexpr std::int64_t ShortestStep = 1'000'000;
 
-  /// Events may ask for `keep` clocks before them. `replay` runs in a copy, which stands in the
-  /// clock it was made in, and returns the exit code. From copy to copy it is `shortest_step`
-  /// clocks or `keep`, whichever is more.
+  /// Events may ask for `keep` clocks before them; a copy stands before those, not in the first.
+  /// `replay` runs in a copy, which stands in the clock it was made in, and returns the exit code.
+  /// From copy to copy it is `shortest_step` clocks or `keep`, whichever is more.
   FlightRecorder(std::int64_t keep, std::function<int(const FlightEvent&)> replay,
                  std::int64_t shortest_step = ShortestStep);
   /// Dismisses the copies.

@@ -11,7 +11,7 @@ FrameWave::FrameWave(SignalBench& bench, const Show& show, const Raster& raster,
     : bench_(bench),
       raster_(raster),
       trace_(
-          bench, raster_, bench.period_ps(), {}, true,
+          chip_signals(bench), raster_, bench.period_ps(), {}, true,
           [&show](int frame) { return show.part(frame); }, vcd_),
       files_(path, "", "racebeam: " + show.name(), vcd_),
       first_(TracePoint{first, FirstLine, 0}.ordinal(raster_)),

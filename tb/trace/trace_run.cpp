@@ -9,19 +9,12 @@
 
 namespace racebeam {
 
-TraceRun::TraceRun(SignalBench& bench, const Raster& raster, const TracePoint& start)
-    : bench_(bench),
-      raster_(raster),
-      signals_(chip_signals(bench)),
-      clock_(TracePoint{start.frame, FirstLine, 0}.ordinal(raster)) {
-  bench_.seek(start.frame);
+TraceRun::TraceRun(SignalBench& bench, const Raster& raster, int frame)
+    : bench_(bench), raster_(raster), clock_(TracePoint{frame, FirstLine, 0}.ordinal(raster)) {
+  bench_.seek(frame);
   bench_.settle();
   epoch_ = 0;
   epoch_ = clock_ - kernel_clock();
-  if (const auto rest = start.ordinal(raster) - clock_) {
-    bench_.advance(static_cast<int>(rest));
-    clock_ += rest;
-  }
 }
 
 std::int64_t TraceRun::kernel_clock() const {

@@ -6,24 +6,19 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "tb/signal_bench.h"
-#include "tb/trace/chip_signals.h"
 #include "tb/trace/trace_window.h"
 
 namespace racebeam {
 
 class TraceRun {
  public:
-  /// Stands in the clock `start`. Of what comes before it, its frame alone is simulated.
-  TraceRun(SignalBench& bench, const Raster& raster, const TracePoint& start);
+  /// Stands in the first clock of `frame`; nothing is simulated yet.
+  TraceRun(SignalBench& bench, const Raster& raster, int frame);
 
   SignalBench& bench() { return bench_; }
   const Raster& raster() const { return raster_; }
-  /// All signals. They are asked for before the first clock: what a unit has missed asleep, it does
-  /// not know later.
-  const std::vector<ChipSignal>& signals() const { return signals_; }
   /// Ordinal of the clock it stands in.
   std::int64_t clock() const { return clock_; }
   /// Ordinal of the clock that the kernel is in: during go_to() it runs ahead of clock().
@@ -40,7 +35,6 @@ class TraceRun {
  private:
   SignalBench& bench_;
   const Raster& raster_;
-  const std::vector<ChipSignal> signals_;
   std::int64_t clock_;
   std::int64_t epoch_;  // of the kernel's time, in clocks: ordinal of its time 0
 };

@@ -24,7 +24,7 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
       selection.scopes.empty() && last - first >= OverviewLines * raster.line_clocks();
   VcdWriter vcd;
   SignalTrace trace(
-      run.signals(), raster, run.bench().period_ps(), selection, overview,
+      chip_signals(run.bench()), raster, run.bench().period_ps(), selection, overview,
       [&](int frame) { return show.part(frame); }, vcd);
   TraceFiles files(output, picture, "racebeam: " + show.name(), vcd);
 
