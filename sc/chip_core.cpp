@@ -26,7 +26,8 @@ void look_up(const scene_program* program, int flags, int id,
 
 }  // namespace
 
-chip_core::chip_core(const scene_program* program) : program(program) {
+chip_core::chip_core(const scene_program* program)
+    : program(program), navigator(navigator_core::at_power_up(program != nullptr)) {
   if (program) timeline.seek(0, *program);
 }
 

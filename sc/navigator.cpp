@@ -92,7 +92,7 @@ int navigator_core::next_state(bool found, const knobs& k) const {
 }
 
 navigator::navigator(const sc_core::sc_module_name& name, const knobs& k)
-    : navigator_pins(name), knobs_(k) {
+    : navigator_pins(name), knobs_(k), core_(navigator_core::at_power_up(k.free_flight)) {
   SC_HAS_PROCESS(navigator);
   SC_METHOD(seq);
   sensitive << rst_ni << nav_reset_i << nav_line_i << active_start_i << start_i.x << start_i.y

@@ -13,7 +13,7 @@
 // Comb    nav_line_i, corner_*_i (signs) -> nav_axis_o, nav_negative_o, nav_op_o, nav_move_o; off
 //         the nav_line: axis 0, hold. nav_portal_o: a register.
 // Stall   none.
-// Reset   rst_ni or nav_reset_i: start_*_i, start_room_i, idle.
+// Reset   rst_ni or nav_reset_i: start_*_i, start_room_i, idle. At power-up 0, but for wired bits.
 // Knobs   from the scene: navigator_bits, free_flight, portals_per_face.
 // Twin    rtl/navigator.sv
 // Test    tests/navigator_test.cpp
@@ -61,9 +61,19 @@ enum corner_op {
 /// Behaviour of navigator.
 struct navigator_core {
   int nav_state_q = NavIdle;
-  vec3 position_q{};  // signed; the wired low bits of x and y included
-  int room_q = 4;     // the wired bits included
-  int portal_q = 0;   // portal that is tried
+  vec3 position_q{0, 32, 0};  // signed; the wired low bits of x and y included
+  int room_q = 4;             // the wired bits included
+  int portal_q = 0;           // portal that is tried
+
+  /// All flip-flops are 0. In free flight nothing is wired.
+  static navigator_core at_power_up(bool free_flight) {
+    navigator_core core;
+    if (free_flight) {
+      core.position_q = {};
+      core.room_q = 0;
+    }
+    return core;
+  }
 
   struct inputs {
     bool reset;  // reset or nav_reset

@@ -4,6 +4,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <regex>
+#include <set>
+
 #include "tests/cli_trace_bench.h"
 #include "tests/traced_window.h"
 
@@ -108,6 +112,44 @@ TEST_F(CliTraceTest, FollowsTheClockAndTheFramesOfTheScene) {
   EXPECT_EQ(slow["beam.pixel"].number(slow.begin), (2000u / 3 - 160) & 2047);
   EXPECT_EQ(slow.end - slow.begin, 406u * clock_period_ps(3));
   EXPECT_EQ(slow["chip.u_sequencer.frame_q"].number(slow.end), 61u);
+}
+
+/// The paths that a waveform declares; one of many lines is not to be read whole.
+std::set<std::string> paths_of(const ScratchFolder& folder, const std::string& file) {
+  const std::string text = read_file(folder / file);
+  std::ofstream(folder / "head.vcd") << text.substr(0, text.find("\n#") + 1);
+  std::set<std::string> paths;
+  for (const auto& [path, signal] : Wave(folder / "head.vcd").signals) paths.insert(path);
+  return paths;
+}
+
+/// A port, or a wire of the chip, and none that changes in every clock.
+bool belongs_to_an_overview(const std::string& path) {
+  static const std::regex calm(
+      "beam\\.(frame|line|pixel|clock|part)|chip\\.\\w+|chip\\.u_\\w+\\.\\w+_n?[io]");
+  static const std::regex busy(".*\\.(clk_i|(x2|consume|corner_[xyz])(_[io])?)");
+  return std::regex_match(path, calm) && !std::regex_match(path, busy);
+}
+
+TEST_F(CliTraceTest, MoreThanAHundredLinesAreAnOverviewOfPortsAndWires) {
+  const auto run = [&](const std::string& last, std::vector<std::string> more) {
+    more.insert(more.begin(), {"trace", "demo", "--from", "7223:-150", "--to", last, "--set",
+                               "clocks_per_pixel=1", "-o"});
+    Program program(folder.path(), more);
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    return program.err();
+  };
+  const auto is_said = HasSubstr("a long window has ports and wires only; --scope '*' has all");
+  EXPECT_THAT(run("7223:-51", {"whole.vcd", "--depth", "1"}), Not(is_said)) << "a hundred lines";
+  EXPECT_THAT(run("7223:-50:0", {"overview.vcd"}), is_said);
+  EXPECT_THAT(run("7223:-50:0", {"all.vcd", "--scope", "*"}), Not(is_said));
+  std::set<std::string> calm;
+  for (const std::string& path : paths_of(folder, "all.vcd"))
+    if (belongs_to_an_overview(path)) calm.insert(path);
+  EXPECT_EQ(paths_of(folder, "overview.vcd"), calm);
+  Program diff(folder.path(), {"trace", "--diff", "overview.vcd", "all.vcd", "--shared"});
+  EXPECT_EQ(diff.wait(), 0);
+  EXPECT_THAT(diff.out(), testing::StartsWith(std::to_string(calm.size()) + " shared signals"));
 }
 
 }  // namespace

@@ -15,6 +15,32 @@ namespace {
 
 TYPED_TEST_SUITE(NavigatorTest, Twins);
 
+/// No clock and no reset yet.
+template <class Unit>
+class NavigatorPowerUpTest : public testing::Test {
+ protected:
+  static void expect_camera(const knobs& k, const vec3& position, int room) {
+    Unit unit("dut", k);
+    UnitBench bench(unit);
+    bench.settle();
+    EXPECT_EQ(bench.read("nav_position"), position);
+    EXPECT_EQ(bench["nav_room_o"].value(), room);
+  }
+};
+TYPED_TEST_SUITE(NavigatorPowerUpTest, Twins);
+
+TYPED_TEST(NavigatorPowerUpTest, WiredBitsAreThereBeforeAnyReset) {
+  this->expect_camera({}, {0, 32, 0}, 4);
+}
+
+TYPED_TEST(NavigatorPowerUpTest, NothingIsWiredInFreeFlight) {
+  knobs k;
+  k.free_flight = true;
+  k.navigator_bits = 11;
+  k.corner_bits = 14;
+  this->expect_camera(k, {0, 0, 0}, 0);
+}
+
 // Contract 13: what is wired in the stored position.
 TYPED_TEST(NavigatorTest, LowBitsOfXAndYAreWired) {
   std::mt19937 random(5);
