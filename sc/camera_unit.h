@@ -119,11 +119,9 @@ class camera_unit : public camera_unit_pins, public probed {
   static constexpr const char* unit_name = "camera_unit";
 
   camera_unit(const sc_core::sc_module_name& name, const knobs& k);
-  /// From now on it stays awake, since step_seen_q follows step_i in Run too, for nobody else.
-  std::vector<probe> probes() const override {
-    watched_ = true;
-    return registers_of(core_, knobs_);
-  }
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
+  /// step_seen_q follows step_i in Run too.
+  void watch() override { watched_ = true; }
 
  private:
   void seq();
@@ -136,7 +134,7 @@ class camera_unit : public camera_unit_pins, public probed {
   sc_core::sc_event stepped_{"stepped"};
   sc_core::sc_event_or_list work_events_;
   bool asleep_ = false;
-  mutable bool watched_ = false;
+  bool watched_ = false;
 };
 
 }  // namespace racebeam

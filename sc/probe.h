@@ -28,6 +28,9 @@ class probed {
   virtual ~probed() = default;
   /// What there is to read as long as the module lives.
   virtual std::vector<probe> probes() const = 0;
+  /// From the next line on all of it follows every clock, also what the module needs for nobody
+  /// else and would sleep through.
+  virtual void watch() {}
 };
 
 /// Bits that number `count` things: $clog2.

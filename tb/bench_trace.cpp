@@ -25,6 +25,7 @@ using Run = std::function<void(TraceRun&, std::int64_t end)>;
 void traced(TraceRun& run, std::int64_t end, bool overview) {
   const Show show;
   VcdWriter vcd;
+  if (!overview) run.bench().watch_registers();
   SignalTrace trace(
       chip_signals(run.bench()), raster, run.bench().period_ps(), {}, overview,
       [&](int frame) { return show.part(frame); }, vcd);
@@ -36,6 +37,7 @@ void traced(TraceRun& run, std::int64_t end, bool overview) {
 }
 
 void asked(TraceRun& run, std::int64_t end) {
+  run.bench().watch_registers();
   Condition condition("u_subdivider.sd_q == 7 && line == 0", run.bench(), raster);
   bool held = false;
   run.each_clock([&](std::int64_t clock) { held = held || condition.holds(clock); });

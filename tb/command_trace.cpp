@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "tb/console.h"
@@ -48,23 +49,31 @@ TraceWindow window_of(const TraceOptions& options, const TraceWindowReader& read
 /// Runs the chip until something happens.
 int watch(const TraceOptions& options, const TraceWindowReader& reader, SignalBench& bench,
           const Raster& raster, const WindowWriter& writer) {
-  if (options.awaits_mismatch() && bench.locksteps().empty())
-    throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
   const TraceWindow where = options.searched(reader);
+  const std::int64_t first = where.from.ordinal(raster), before = options.clocks_before(raster);
+  if (!options.picture.empty()) check_picture_clocks(options.most_clocks(raster));
+  TraceRun run(bench, raster, point_at(std::max<std::int64_t>(first - before, 0), raster).frame);
+  writer.check(run);
   std::optional<Condition> condition;
-  if (!options.when.empty()) condition.emplace(options.when, bench, raster);
-  TraceRun run(bench, raster, where.from.frame);
+  if (!options.when.empty()) {
+    bench.watch_registers();
+    condition.emplace(options.when, bench, raster);
+  }
   const EventWatch watch{
-      condition ? &*condition : nullptr, options.clocks_before(raster),
+      condition ? &*condition : nullptr, before,
       [&](const TracePoint& at) { return options.around_point(at, reader, raster); },
       [&](TraceRun& copy, const TraceWindow& window) { return writer.write(copy, window); }};
-  if (const std::optional<int> code =
-          watch.run(run, where.from.ordinal(raster), where.to.ordinal(raster)))
-    return *code;
+  if (const std::optional<int> code = watch.run(run, first, where.to.ordinal(raster))) return *code;
   if (!options.when.empty() && options.record == 0) throw options.nothing_found(where);
   tell(fmt::format("nothing happened from {}:{} to {}:{}; nothing is written", where.from.frame,
                    where.from.line, where.to.frame, where.to.line));
   return ExitGood;
+}
+
+/// Whether some unit is compared.
+bool compares(const unit_choices& units) {
+  return std::any_of(units.by_unit.begin(), units.by_unit.end(),
+                     [](const auto& one) { return one.second.lockstep; });
 }
 
 }  // namespace
@@ -95,6 +104,8 @@ int command_trace(const TraceOptions& options) {
 
   const UseOption use(setting.k, show.program(), true);
   for (const std::string& choice : options.units) use.use(setting.units, choice);
+  if (options.awaits_mismatch() && !compares(setting.units))
+    throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
   SignalBench bench(setting);
   if (!window) return watch(options, reader, bench, raster, writer);
   TraceRun run(bench, raster, window->from.frame);

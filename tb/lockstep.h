@@ -58,6 +58,8 @@ class Lockstep : public sc_core::sc_module, public probed {
   /// Clocks in which some output differed.
   std::uint64_t differences() const { return differences_; }
   const std::optional<LockstepDifference>& first() const { return first_; }
+  /// The next difference is the first one.
+  void forget() { first_.reset(); }
 
   /// The RTL's side: outputs and, where they can be read, signals inside. To be read after
   /// settle(), when the wires have settled.

@@ -8,15 +8,10 @@
 #include <sysc/utils/sc_report_handler.h>
 
 #include <cstdlib>
-#include <new>
-#include <string>
 
-#include "sc/rtl_library.h"
 #include "tb/command_line.h"
 #include "tb/console.h"
-#include "tb/errors.h"
-#include "tb/output_file.h"
-#include "tb/vga_monitor.h"
+#include "tb/guarded.h"
 
 namespace racebeam {
 
@@ -31,33 +26,7 @@ void report(const sc_core::sc_report& message, const sc_core::sc_actions& action
 
 int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_handler(report);
-  try {
-    return run_command_line(argc, argv);
-  } catch (const UsageError& error) {
-    tell(error.what());
-    return ExitUsage;
-  } catch (const RtlError& error) {
-    tell(error.what());
-    return ExitUsage;
-  } catch (const OutputError& error) {
-    tell(error.what());
-    tell(
-        "whole files are kept, nothing half-written is left; choose another place or free some "
-        "space");
-    return ExitUsage;
-  } catch (const MissingTool& error) {
-    tell(error.what());
-    return ExitMissing;
-  } catch (const std::bad_alloc&) {
-    tell("out of memory; render fewer frames at a time");
-    return ExitMissing;
-  } catch (const SyncError& error) {
-    tell(error.what());
-    return ExitDifference;
-  } catch (const std::exception& error) {
-    tell(std::string("internal error, please report: ") + error.what());
-    return ExitDifference;
-  }
+  return guarded([&] { return run_command_line(argc, argv); });
 }
 
 }  // namespace

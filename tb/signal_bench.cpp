@@ -3,6 +3,8 @@
 #include "tb/signal_bench.h"
 
 #include <algorithm>
+#include <exception>
+#include <string>
 #include <utility>
 
 #include "sc/chip.h"
@@ -79,8 +81,11 @@ struct SignalBench::Platform {
   std::function<void()> look;
   int looks = 0;  // how often it was changed
 
+  std::exception_ptr thrown;  // by look
+
   void watch();
   void look_each_clock();
+  void start(const sc_core::sc_time& time);
 
   explicit Platform(const Options& o)
       : options(o),
@@ -155,7 +160,7 @@ void SignalBench::seek(int frame) {
 void SignalBench::advance(int clocks) {
   Platform& p = *platform_;
   const int count = std::min(clocks, p.raster.frame_clocks() - p.frame_clock);
-  sc_core::sc_start(count * p.period);
+  p.start(count * p.period);
   p.clocks += count;
   p.frame_clock += count;
   if (p.frame_clock < p.raster.frame_clocks()) return;
@@ -175,8 +180,18 @@ SignalBench::Frame SignalBench::render() {
 }
 
 void SignalBench::settle() {
-  while (sc_core::sc_pending_activity_at_current_time()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  while (sc_core::sc_pending_activity_at_current_time()) platform_->start(sc_core::SC_ZERO_TIME);
   for (auto& lockstep : platform_->locksteps) lockstep->settle();
+}
+
+// What processes throw arrives as a report of the kernel; only RTL throws in one.
+void SignalBench::Platform::start(const sc_core::sc_time& time) {
+  try {
+    sc_core::sc_start(time);
+  } catch (const sc_core::sc_report& report) {
+    throw RtlError(std::string("the RTL has ended the simulation: ") + report.get_msg());
+  }
+  if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
 }
 
 void SignalBench::each_clock(std::function<void()> look) {
@@ -193,10 +208,24 @@ void SignalBench::Platform::look_each_clock() {
       [this, mine = looks] {
         if (mine != looks) return;
         for (auto& lockstep : locksteps) lockstep->settle();
-        look();
+        try {
+          look();
+        } catch (...) {  // the kernel would make another one of it
+          thrown = std::current_exception();
+          return;
+        }
         sc_core::next_trigger(period);
       },
       sc_core::sc_gen_unique_name("look"), &process);
+}
+
+void SignalBench::watch_registers() {
+  for (auto* child : platform_->dut.get_child_objects())
+    if (auto* unit = dynamic_cast<probed*>(child)) unit->watch();
+}
+
+void SignalBench::forget_differences() {
+  for (auto& lockstep : platform_->locksteps) lockstep->forget();
 }
 
 const sc_core::sc_module& SignalBench::dut() const { return platform_->dut; }

@@ -35,15 +35,21 @@ class SignalBench final : public ChipBench {
 
   /// Not in the middle of a frame.
   void seek(int frame) override;
-  /// Simulates so many clocks, to the end of the frame at most. Throws SyncError.
+  /// Simulates so many clocks, to the end of the frame at most. Throws SyncError, what
+  /// each_clock()'s `look` throws, and RtlError if RTL ends the simulation, as by $fatal.
   void advance(int clocks);
   /// One frame, or the rest of one.
   Frame render() override;
   /// Lets all wires settle without a clock: after seek(), and after construction, they have not.
   void settle();
   /// From now on `look` is called in every clock once its wires have settled, beginning with the
-  /// clock that the bench stands in; an empty one ends that. Without one there is no cost.
+  /// clock that the bench stands in; an empty one ends that. Without one there is no cost. After
+  /// an exception it is called no more.
   void each_clock(std::function<void()> look);
+  /// From the next line on all registers follow every clock, which costs an eighth of the speed.
+  void watch_registers();
+  /// Lockstep begins anew: differences so far are no first ones.
+  void forget_differences();
   /// The chip, to be looked into between clocks.
   const sc_core::sc_module& dut() const;
   /// Of a clock, in picoseconds.

@@ -4,22 +4,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
-#include "sc/chip_core.h"
 #include "tb/trace/trace_window.h"
-#include "tests/program.h"
-#include "tests/wave.h"
+#include "tests/cli_trace_bench.h"
+#include "tests/x_server.h"
 
 namespace racebeam {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
-constexpr int Period = clock_period_ps(2);
 const Raster raster;
 
 std::string told(const TracePoint& at) {
@@ -27,14 +24,18 @@ std::string told(const TracePoint& at) {
          std::to_string(at.clock);
 }
 
-class CliTraceEventTest : public testing::Test {
+std::string argument(const TracePoint& at) {
+  return std::to_string(at.frame) + ":" + std::to_string(at.line) + ":" + std::to_string(at.clock);
+}
+
+class CliTraceEventTest : public CliTraceBench {
  protected:
-  int trace(const std::vector<std::string>& more) {
+  int run(const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"trace", "demo", "-o", "t.vcd"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    Program run(folder.path(), arguments);
-    const int code = run.wait();
-    said = run.err();
+    Program program(folder.path(), arguments);
+    const int code = program.wait();
+    said = program.err();
     return code;
   }
   Wave wave() const { return Wave(folder / "t.vcd"); }
@@ -51,9 +52,6 @@ class CliTraceEventTest : public testing::Test {
     ASSERT_NE(at, std::string::npos) << right;
     std::ofstream(folder / (unit + ".sv")) << text.replace(at, right.size(), wrong);
   }
-
-  ScratchFolder folder;
-  std::string said;
 };
 
 /// The first clock of a frame, from line `line` on, in which the interval stack has `entries`.
@@ -82,8 +80,8 @@ void expect_in(const Wave& window, const Wave& whole) {
 TEST_F(CliTraceEventTest, WhenIsTheFirstClockInWhichItIsTrueForModelAndRtl) {
   const TracePoint there = first_with(3, 7223, -110);
   for (const char* units : {"all=model", "subdivider=rtl,stacks=rtl"}) {
-    ASSERT_EQ(trace({"--when", "u_subdivider.sd_q == 3 && line >= -110", "--from", "7223:-240",
-                     "--pre", "20", "--post", "10", "--use", units}),
+    ASSERT_EQ(run({"--when", "u_subdivider.sd_q == 3 && line >= -110", "--from", "7223:-240",
+                   "--pre", "20", "--post", "10", "--use", units}),
               0)
         << said;
     EXPECT_THAT(said, HasSubstr("--when holds in " + told(there)));
@@ -97,8 +95,8 @@ TEST_F(CliTraceEventTest, WhenIsTheFirstClockInWhichItIsTrueForModelAndRtl) {
 
 // Frames of simulation lie between the first clock and the event: the copy is a late one.
 TEST_F(CliTraceEventTest, FarFromTheBeginningTheWindowIsTheOneOfADirectTrace) {
-  ASSERT_EQ(trace({"--when", "frame == 62 && line == 3 && clock == 700", "--from", "60:-273",
-                   "--to", "63:251", "--lines", "1"}),
+  ASSERT_EQ(run({"--when", "frame == 62 && line == 3 && clock == 700", "--from", "60:-273", "--to",
+                 "63:251", "--lines", "1"}),
             0)
       << said;
   Program direct(folder.path(), {"trace", "demo", "-o", "d.vcd", "--from", "62:2", "--to", "62:4"});
@@ -107,11 +105,11 @@ TEST_F(CliTraceEventTest, FarFromTheBeginningTheWindowIsTheOneOfADirectTrace) {
 }
 
 TEST_F(CliTraceEventTest, WhatNeverIsTrueIsSaidAndLeavesNothing) {
-  EXPECT_EQ(trace({"--when", "u_subdivider.sd_q == 7", "--from", "0:-240", "--to", "0:-230"}), 2);
+  EXPECT_EQ(run({"--when", "u_subdivider.sd_q == 7", "--from", "0:-240", "--to", "0:-230"}), 2);
   EXPECT_THAT(said, HasSubstr("nothing of --when 'u_subdivider.sd_q == 7' from 0:-240 to 0:-230"));
-  EXPECT_EQ(trace({"--record", "3", "--from", "0:-240", "--to", "0:-230"}), 0);
+  EXPECT_EQ(run({"--record", "3", "--from", "0:-240", "--to", "0:-230"}), 0);
   EXPECT_THAT(said, HasSubstr("nothing happened from 0:-240 to 0:-230; nothing is written"));
-  EXPECT_EQ(trace({"--around", "mismatch", "--to", "0:-260", "--use", "stacks=lockstep"}), 0);
+  EXPECT_EQ(run({"--around", "mismatch", "--to", "0:-260", "--use", "stacks=lockstep"}), 0);
   EXPECT_THAT(said, HasSubstr("nothing happened"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
@@ -124,8 +122,8 @@ TEST_F(CliTraceEventTest, AMismatchIsSeenInTheClockThatIsTold) {
       "racebeam trace demo --from 0:-273 --use subdivider=lockstep:subdivider.sv --around mismatch "
       "-o subdivider_mismatch.vcd";
   EXPECT_THAT(verify.err(), HasSubstr("all signals: " + command));
-  ASSERT_EQ(trace({"--from", "0:-273", "--use", "subdivider=lockstep:subdivider.sv", "--around",
-                   "mismatch"}),
+  ASSERT_EQ(run({"--from", "0:-273", "--use", "subdivider=lockstep:subdivider.sv", "--around",
+                 "mismatch"}),
             1);
   EXPECT_THAT(said, HasSubstr("subdivider.sd_o differs in frame 0, line "));
   const Wave w = wave();
@@ -142,21 +140,19 @@ class CliTraceRecordTest : public CliTraceEventTest, public testing::WithParamIn
 
 TEST_P(CliTraceRecordTest, AnEndThatNobodyExpectedKeepsTheLastLines) {
   const int number = GetParam();
-  Program run(folder.path(), {"trace", "demo", "-o", "t.vcd", "--record", "5", "--from",
-                              "7000:-273", "--to", "7900:251"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  run.signal(number);
-  EXPECT_EQ(run.wait(), number == SIGINT ? 130 : -number);
+  Program program(folder.path(), {"trace", "demo", "-o", "t.vcd", "--record", "5", "--from",
+                                  "7000:-273", "--to", "7900:251"});
+  ASSERT_TRUE(eventually([&] { return program.children() == 2; })) << "it has left copies behind";
+  program.signal(number);
+  EXPECT_EQ(program.wait(), number == SIGINT ? 130 : -number);
   const Wave w = wave();
-  EXPECT_EQ(clocks(w), 5 * raster.line_clocks() + 1) << run.err();
-  const TracePoint last = point_at(first_clock(w) + clocks(w) - 1, raster);
-  EXPECT_THAT(run.err(),
-              HasSubstr((number == SIGINT ? "stopped in " : "crashed after ") + told(last)));
-  EXPECT_EQ(w["chip.u_subdivider.sd_q"].bits, 3);
-  Program direct(folder.path(),
-                 {"trace", "demo", "-o", "d.vcd", "--from",
-                  std::to_string(last.frame) + ":" + std::to_string(last.line - 7), "--to",
-                  std::to_string(last.frame) + ":" + std::to_string(last.line)});
+  EXPECT_EQ(clocks(w), 5 * raster.line_clocks()) << program.err();
+  const TracePoint first = point_at(first_clock(w), raster),
+                   last = point_at(first_clock(w) + clocks(w) - 1, raster);
+  EXPECT_THAT(program.err(),
+              HasSubstr((number == SIGINT ? "stopped after " : "crashed after ") + told(last)));
+  Program direct(folder.path(), {"trace", "demo", "-o", "d.vcd", "--from", argument(first), "--to",
+                                 argument(last)});
   ASSERT_EQ(direct.wait(), 0) << direct.err();
   expect_in(w, Wave(folder / "d.vcd"));
 }
@@ -168,9 +164,41 @@ INSTANTIATE_TEST_SUITE_P(Signals, CliTraceRecordTest, testing::Values(SIGINT, SI
                                                                         : "Abort");
                          });
 
+// $fatal is no signal: Verilator throws.
+TEST_F(CliTraceEventTest, RtlThatEndsTheSimulationIsACrash) {
+  write_faulty("subdivider", "endmodule",
+               "  int unsigned clocks_q = 0;\n"
+               "  always_ff @(posedge clk_i) clocks_q <= clocks_q + 1;\n"
+               "  always_ff @(posedge clk_i) if (clocks_q == 900000) $fatal(1, \"enough\");\n"
+               "endmodule");
+  EXPECT_EQ(run({"--use", "subdivider=subdivider.sv", "--record", "2", "--to", "3:0"}), 2);
+  EXPECT_THAT(said, HasSubstr("the RTL has ended the simulation: "));
+  EXPECT_THAT(said, HasSubstr("subdivider.sv:"));
+  const Wave w = wave();
+  EXPECT_EQ(clocks(w), 2 * raster.line_clocks());
+  EXPECT_THAT(said,
+              HasSubstr("crashed after " + told(point_at(first_clock(w) + clocks(w) - 1, raster))));
+  EXPECT_EQ(w["chip.u_subdivider.clocks_q"].number(w.end - 1), 900000u);
+}
+
+TEST_F(CliTraceEventTest, OfTwoEventsTheEarlierCounts) {
+  write_faulty("subdivider", "if (sd_q != Full) sd_d =", "sd_d =");
+  const auto with = [&](const char* condition, const char* from) {
+    return std::vector<std::string>{
+        "--use", "subdivider=lockstep:subdivider.sv", "--when", condition, "--from", from, "--pre",
+        "1"};
+  };
+  EXPECT_EQ(run(with("line == -256 && clock == 1500", "0:-273")), 1);
+  EXPECT_THAT(said, HasSubstr("subdivider.sd_o differs in frame 0, line -256, clock 111"));
+  EXPECT_EQ(run(with("line == -256 && clock == 110", "0:-273")), 0);
+  EXPECT_THAT(said, HasSubstr("--when holds in frame 0, line -256, clock 110"));
+  EXPECT_EQ(run(with("line == -256 && clock == 250", "0:-256:200")), 1);
+  EXPECT_THAT(said, Not(HasSubstr("clock 111"))) << "it was before --from";
+}
+
 TEST_F(CliTraceEventTest, MistakesEndWithTwoAndSayWhatToDo) {
   const auto refused = [&](const std::vector<std::string>& more, const char* words) {
-    EXPECT_EQ(trace(more), 2);
+    EXPECT_EQ(run(more), 2);
     EXPECT_THAT(said, HasSubstr(words));
   };
   refused({"--around", "mismatch"}, "compares nothing; add --use UNIT=lockstep");
@@ -182,6 +210,11 @@ TEST_F(CliTraceEventTest, MistakesEndWithTwoAndSayWhatToDo) {
   refused({"--record", "3", "--pre", "3"}, "leave out --pre");
   refused({"--use", "stacks=lockstep:none.sv", "--around", "mismatch"}, "none.sv");
   refused({"--when", "u_stack.tag_i == 3"}, "did you mean");
+  refused({"--when", "line == 3", "--scope", "nosuch"}, "no signal is under");
+  refused({"--record", "1", "--picture", "p.svg"}, "more than 400 clocks");
+  Program nowhere(folder.path(), {"trace", "demo", "-o", "none/t.vcd", "--when", "line == 3"});
+  EXPECT_EQ(nowhere.wait(), 2);
+  EXPECT_THAT(nowhere.err(), HasSubstr("cannot write none/t.vcd"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -88,6 +88,9 @@ TEST_F(ConditionTest, StatesAreWords) {
   for (const char* word : {"left", "right", "bisect", "return"})
     told += holds(std::string("u_subdivider.state_q == ") + word);
   EXPECT_EQ(told, 1);
+  EXPECT_TRUE(holds("u_camera_unit.phase_q == run")) << "a state, though there is a wire chip.run";
+  EXPECT_FALSE(holds("u_camera_unit.phase_q != run"));
+  EXPECT_TRUE(holds("u_camera_unit.phase_q == 3 && run == 1"));
 }
 
 TEST_F(ConditionTest, RefusesWhatItCannotAsk) {
@@ -99,6 +102,14 @@ TEST_F(ConditionTest, RefusesWhatItCannotAsk) {
   EXPECT_THAT(refusal("line == "), HasSubstr("--when 'line == '"));
   EXPECT_THAT(refusal("(line"), HasSubstr("--when '(line'"));
   EXPECT_THAT(refusal("3 < 4"), HasSubstr("names no signal"));
+  EXPECT_THAT(refusal("u_navigator.nav_state_q == load"),
+              HasSubstr("u_navigator.nav_state_q has no state 'load' (there is: idle, to_plus"));
+  EXPECT_THAT(refusal("bisect == 2"), HasSubstr("there is no signal 'bisect'"));
+  EXPECT_THAT(refusal("line == 0, clock == 3"), HasSubstr("join them with && or ||"));
+  EXPECT_THAT(refusal("line & 1"), HasSubstr("'&' at character 6; bits are read by bit(x, n)"));
+  EXPECT_THAT(refusal("line ^ 1"), HasSubstr("bits are read by bit(x, n)"));
+  EXPECT_THAT(refusal("'line == 1'"), HasSubstr("leave out the inner quotes"));
+  EXPECT_THAT(refusal("sin(line)"), HasSubstr("no signal 'sin'"));
   EXPECT_EQ(refusal("line >= 240 && line <= 241"), "");
 }
 

@@ -11,10 +11,12 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "tb/errors.h"
 #include "tests/scratch_folder.h"
 
 namespace racebeam {
@@ -71,7 +73,7 @@ TEST_F(FlightRecorderTest, WhateverItsClockAnEventFindsACopyFarEnoughBack) {
     run_to(recorder, event);
     recorder.replay({FlightEvent::Condition, event, event - Keep, event, 0});
     EXPECT_LE(found().stands, std::max<std::int64_t>(event - Keep, 0)) << event;
-    EXPECT_EQ(recorder.oldest() <= std::max<std::int64_t>(event - Keep, 0), true);
+    EXPECT_LE(recorder.oldest(), std::max<std::int64_t>(event - Keep, 0));
   }
 }
 
@@ -102,10 +104,21 @@ TEST_F(FlightRecorderTest, NoMoreThanTwoCopiesAreAliveAndNoneIsLeft) {
   EXPECT_FALSE(std::ifstream(folder / "found").good()) << "dismissed copies do nothing";
 }
 
+TEST_F(FlightRecorderTest, WhatACopyThrowsIsItsExitCode) {
+  for (const auto& [error, code] :
+       {std::pair{std::make_exception_ptr(UsageError("no such signal")), ExitUsage},
+        {std::make_exception_ptr(MissingTool("no vcd2fst")), ExitMissing}}) {
+    FlightRecorder recorder(
+        Keep, [error = error](const FlightEvent&) -> int { std::rethrow_exception(error); });
+    recorder.pass(0);
+    EXPECT_EQ(recorder.replay({FlightEvent::Condition, 1, 0, 1, 0}), code);
+  }
+}
+
 TEST_F(FlightRecorderTest, ACopyThatDiesIsTold) {
   FlightRecorder recorder(Keep, [](const FlightEvent&) -> int { abort(); });
   recorder.pass(0);
-  EXPECT_THROW(recorder.replay({FlightEvent::Condition, 1, 0, 1, 0}), std::runtime_error);
+  EXPECT_THROW(recorder.replay({FlightEvent::Condition, 1, 0, 1, 0}), MissingTool);
 }
 
 // A process of its own crashes; its copy writes; it dies as it would have.
@@ -124,7 +137,7 @@ TEST_F(FlightRecorderTest, ACrashWritesWhatWasBeforeIt) {
     EXPECT_TRUE(WIFSIGNALED(status));
     EXPECT_EQ(WTERMSIG(status), number);
     EXPECT_EQ(found().to, 1'099'999);
-    EXPECT_EQ(found().from, 1'099'999 - Keep);
+    EXPECT_EQ(found().from, 1'100'000 - Keep);
     EXPECT_EQ(found().stands, 600'000);
     EXPECT_EQ(found().kind, FlightEvent::Crash);
     EXPECT_EQ(found().detail, number);
@@ -149,6 +162,7 @@ TEST_F(FlightRecorderTest, AFullStackIsACrashToo) {
   int status = 0;
   ASSERT_EQ(waitpid(crashing, &status, 0), crashing);
   EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGSEGV);
   EXPECT_EQ(found().to, 5);
 }
 

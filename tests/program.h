@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,12 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void signal(int number) const { kill(pid_, number); }
+  /// Processes that it has started and that live.
+  int children() const {
+    const std::string process = std::to_string(pid_);
+    std::istringstream all(read_file("/proc/" + process + "/task/" + process + "/children"));
+    return static_cast<int>(std::distance(std::istream_iterator<int>(all), {}));
+  }
 
   /// Waits for the end. The exit code, or -signal if it was killed.
   int wait() {

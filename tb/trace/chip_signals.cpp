@@ -74,7 +74,7 @@ std::vector<ChipSignal> chip_signals(const SignalBench& bench) {
   return all;
 }
 
-const std::vector<std::string>* state_words(std::string path) {
+const std::vector<std::string>* state_words(const ChipSignal& signal) {
   static const std::map<std::string, std::vector<std::string>> all = {
       {"u_subdivider.state_q", {"left", "right", "bisect", "return"}},
       {"u_camera_unit.phase_q", {"product", "load", "scale", "run"}},
@@ -82,9 +82,12 @@ const std::vector<std::string>* state_words(std::string path) {
        {"idle", "to_plus", "check_plus", "check_minus", "finish", "store", "adjust", "7",
         "try_plus", "try_done", "try_check_plus", "try_check_minus", "try_next", "13", "14",
         "15"}}};
+  if (signal.is_port()) return nullptr;
+  std::string path = signal.path();
   if (const auto rtl = path.find(".rtl."); rtl != std::string::npos) path.erase(rtl, 4);
   for (const auto& [end, words] : all)
-    if (path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0)
+    if (path.size() > end.size() && words.size() == std::size_t{1} << signal.bits &&
+        path.compare(path.size() - end.size(), end.size(), end) == 0)
       return &words;
   return nullptr;
 }

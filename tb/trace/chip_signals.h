@@ -39,7 +39,8 @@ struct ChipSignal {
 /// All names, unit after unit. They can be read as long as the bench lives.
 std::vector<ChipSignal> chip_signals(const SignalBench& bench);
 
-/// The words of a register that holds a state, by value; nullptr: it holds none.
-const std::vector<std::string>* state_words(std::string path);
+/// The words of a register that holds a state, by value; nullptr: it holds none, or, in somebody's
+/// own RTL, others.
+const std::vector<std::string>* state_words(const ChipSignal& signal);
 
 }  // namespace racebeam

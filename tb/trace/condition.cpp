@@ -3,6 +3,7 @@
 #include "tb/trace/condition.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <muParser.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <functional>
 #include <list>
+#include <regex>
 #include <vector>
 
 #include "tb/errors.h"
@@ -42,14 +44,26 @@ int hexadecimal(const char* text, int* position, double* value) {
   return end - text > 2;
 }
 
-/// muParser would take `=` for an assignment to the signal.
-void refuse_assignment(const std::string& text) {
+/// What muParser would take for something else: `=` assigns to it, `^` is a power, `,` separates
+/// conditions of which the last one counts.
+void refuse_surprises(const std::string& text) {
+  const auto refuse = [&](std::size_t at, const std::string& help) {
+    throw UsageError(
+        fmt::format("--when '{}': '{}' at character {}; {}", text, text[at], at + 1, help));
+  };
   for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     if (at + 1 < text.size() && text[at + 1] == '=') ++at;
     else if (at == 0 || std::string("=!<>").find(text[at - 1]) == std::string::npos)
-      throw UsageError(
-          fmt::format("--when '{}': '=' at character {}; to compare write '=='", text, at + 1));
+      refuse(at, "to compare write '=='");
   }
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool twice = at + 1 < text.size() && text[at + 1] == text[at];
+    if (std::string("&|").find(text[at]) != std::string::npos && twice) ++at;
+    else if (std::string("&|^").find(text[at]) != std::string::npos)
+      refuse(at, "bits are read by bit(x, n); to join conditions write '&&' or '||'");
+  }
+  if (const auto at = text.find_first_of("'\""); at != std::string::npos)
+    refuse(at, "leave out the inner quotes");
 }
 
 }  // namespace
@@ -68,14 +82,18 @@ struct Condition::Parser {
 
   Parser(const std::string& t, const SignalBench& bench, const Raster& r)
       : text(t), raster(r), signals(chip_signals(bench)) {
-    refuse_assignment(text);
+    refuse_surprises(text);
     parser.DefineNameChars(NameCharacters);
+    parser.ClearConst();
+    parser.ClearFun();
     parser.DefineInfixOprt("!", logical_not);
     parser.DefineFun("bit", one_bit);
     parser.AddValIdent(hexadecimal);
     parser.SetVarFactory(make, this);
-    parser.SetExpr(text);
+    parser.SetExpr(with_numbers(text));
     evaluate();
+    if (parser.GetNumResults() != 1)
+      throw UsageError("--when '" + text + "' is several conditions; join them with && or ||");
     if (variables.empty())
       throw UsageError("--when '" + text + "' names no signal; try 'u_subdivider.sd_q == 4'");
   }
@@ -103,17 +121,40 @@ struct Condition::Parser {
     if (in_beam == "line") return [](const TracePoint& at) { return at.line; };
     if (in_beam == "clock") return [](const TracePoint& at) { return at.clock; };
     if (in_beam == "pixel") return [this](const TracePoint& at) { return at.pixel(raster); };
-    for (const std::string& path : {name, "chip." + name})
-      for (const ChipSignal& signal : signals)
-        if (signal.path() == path) return reader(signal);
-    for (const ChipSignal& signal : signals)
-      if (const auto* words = state_words(signal.path()))
-        if (const auto word = std::find(words->begin(), words->end(), name); word != words->end())
-          return [value = static_cast<double>(word - words->begin())](const TracePoint&) {
-            return value;
-          };
+    if (const ChipSignal* signal = find(name)) return reader(*signal);
     throw UsageError(
         fmt::format("--when '{}': there is no signal '{}'; {}", text, name, hint(name)));
+  }
+
+  const ChipSignal* find(const std::string& name) const {
+    for (const std::string& path : {name, "chip." + name})
+      for (const ChipSignal& signal : signals)
+        if (signal.path() == path) return &signal;
+    return nullptr;
+  }
+
+  // The words behind state registers become their values.
+  std::string with_numbers(const std::string& given) const {
+    static const std::regex compared(R"(([A-Za-z_][\w.\[\]]*)(\s*[!=]=\s*)([A-Za-z_]\w*))");
+    std::string result;
+    auto rest = given.cbegin();
+    for (std::smatch match; std::regex_search(rest, given.cend(), match, compared);) {
+      result.append(rest, match[3].first);
+      rest = match[3].second;
+      const ChipSignal* signal = find(match[1]);
+      const auto* words = signal ? state_words(*signal) : nullptr;
+      result += words ? std::to_string(value_of(match[3], match[1], *words)) : match[3].str();
+    }
+    return result.append(rest, given.cend());
+  }
+
+  long value_of(const std::string& word, const std::string& name,
+                const std::vector<std::string>& words) const {
+    const auto at = std::find(words.begin(), words.end(), word);
+    if (at == words.end())
+      throw UsageError(fmt::format("--when '{}': {} has no state '{}' (there is: {})", text, name,
+                                   word, fmt::join(words, ", ")));
+    return at - words.begin();
   }
 
   // The same name elsewhere, or the one that needs the fewest edits.
@@ -147,7 +188,7 @@ Condition::~Condition() = default;
 bool Condition::holds(std::int64_t clock) {
   const TracePoint at = point_at(clock, parser_->raster);
   for (auto& variable : parser_->variables) variable.value = variable.read(at);
-  return parser_->evaluate() != 0;
+  return std::isnormal(parser_->evaluate());
 }
 
 }  // namespace racebeam

@@ -1,10 +1,10 @@
 // Condition: an expression over the signals of the chip, such as
 // `u_subdivider.sd_q == 4 && line == 240`.
 //
-// A signal is named by its path, with or without `chip.` or `beam.`; words of states are numbers
-// (`u_subdivider.state_q == bisect`). Operators are those of C on numbers (! - * / + < <= > >= ==
-// != && || ?:), and bit(x, n). Signed signals are signed. The parser is muParser: numbers are
-// doubles, exact up to 53 bits.
+// A signal is named by its path, with or without `chip.` or `beam.`; signed ones are signed. Behind
+// `==` or `!=` a state register is compared with its words: `u_subdivider.state_q == bisect`.
+// Operators, as in C: ( ) ! - * / + < <= > >= == != && || ?: and bit(x, n). The parser is muParser:
+// numbers are doubles, exact up to 53 bits; what is divided by 0 is infinite.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -21,7 +21,8 @@ namespace racebeam {
 
 class Condition {
  public:
-  /// Throws UsageError that names the place: no such signal, not an expression, no signal at all.
+  /// Throws UsageError that names the place: no such signal or state, not an expression, no signal
+  /// at all. The registers of the bench are to be watched.
   /// `bench` and `raster` outlive it.
   Condition(const std::string& text, const SignalBench& bench, const Raster& raster);
   ~Condition();

@@ -53,53 +53,68 @@ class Differences {
 
 }  // namespace
 
-FlightEvent EventWatch::event(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,
-                              int detail) const {
+FlightEvent EventWatch::happened(const TraceRun& run, FlightEvent::Kind kind,
+                                 std::int64_t clock) const {
   const Raster& raster = run.raster();
-  if (kind == FlightEvent::Interrupt) return {kind, clock, clock - keep, clock, detail};
   const TraceWindow window = around(point_at(clock, raster));
-  return {kind, clock, window.from.ordinal(raster), window.to.ordinal(raster), detail};
+  return {kind, clock, window.from.ordinal(raster), window.to.ordinal(raster), 0};
+}
+
+FlightEvent EventWatch::stopped(FlightEvent::Kind kind, std::int64_t last_clock, int detail) const {
+  return {kind, last_clock, last_clock - keep + 1, last_clock, detail};
+}
+
+// In a copy.
+int EventWatch::replayed(TraceRun& copy, const FlightEvent& event) const {
+  const Raster& raster = copy.raster();
+  copy.each_clock({});
+  if (event.kind == FlightEvent::Crash)
+    tell(fmt::format("crashed after {}{}", place_of(event.clock, raster),
+                     event.detail == 0 ? "" : std::string(": ") + strsignal(event.detail)));
+  const std::int64_t from = std::max(event.from, copy.clock());
+  return write(copy,
+               {point_at(from, raster), point_at(event.to, raster), point_at(event.clock, raster)});
 }
 
 std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64_t last) const {
   const Raster& raster = run.raster();
-  FlightRecorder recorder(keep, [&](const FlightEvent& what) {
-    run.each_clock({});
-    if (what.kind == FlightEvent::Crash)
-      tell(fmt::format("crashed after {}: {}", place_of(what.clock, raster),
-                       strsignal(what.detail)));
-    const std::int64_t from = std::max(what.from, run.clock());
-    const TracePoint event = point_at(what.clock, raster);
-    return write(run, {point_at(from, raster), point_at(what.to, raster), event});
-  });
+  const int line = raster.line_clocks();
+  FlightRecorder recorder(keep, [&](const FlightEvent& event) { return replayed(run, event); });
   recorder.pass(run.clock());
-  const Differences differences(run, run.bench().locksteps());
   recorder.catch_crashes([&run] { return run.kernel_clock() - 1; });
-  bool going = run.go_to(first);
-  std::optional<std::int64_t> held;
-  if (condition)
-    run.each_clock([&](std::int64_t clock) {
-      if (!held && condition->holds(clock)) held = clock;
-    });
-  while (run.clock() <= last) {
-    going = going && run.go_to(run.clock() + raster.line_clocks());
-    if (held && *held <= last) {
-      tell("--when holds in " + place_of(*held, raster));
-      return recorder.replay(event(run, FlightEvent::Condition, *held));
+  try {
+    bool going = run.go_to(first);
+    run.bench().forget_differences();
+    const Differences differences(run, run.bench().locksteps());
+    std::optional<std::int64_t> held;
+    if (condition)
+      run.each_clock([&](std::int64_t clock) {
+        if (!held && condition->holds(clock)) held = clock;
+      });
+    while (run.clock() <= last) {
+      going = going && run.go_to(std::min((run.clock() / line + 1) * line, last + 1));
+      const auto found = differences.first();
+      if (found && !(held && *held < found->clock)) {
+        tell(fmt::format("{}.{} differs in {}: the RTL has {:#x}, the model {:#x}",
+                         found->what->unit, found->what->port, place_of(found->clock, raster),
+                         found->what->got, found->what->expected));
+        const int code = recorder.replay(happened(run, FlightEvent::Mismatch, found->clock));
+        return code == ExitGood ? static_cast<int>(ExitDifference) : code;
+      }
+      if (held) {
+        tell("--when holds in " + place_of(*held, raster));
+        return recorder.replay(happened(run, FlightEvent::Condition, *held));
+      }
+      if (!going) {
+        tell("stopped after " + place_of(run.clock() - 1, raster));
+        recorder.replay(stopped(FlightEvent::Interrupt, run.clock() - 1));
+        return ExitInterrupted;
+      }
+      recorder.pass(run.clock());
     }
-    if (const auto found = differences.first(); found && found->clock <= last) {
-      tell(fmt::format("{}.{} differs in {}: the RTL has {:#x}, the model {:#x}", found->what->unit,
-                       found->what->port, place_of(found->clock, raster), found->what->got,
-                       found->what->expected));
-      const int code = recorder.replay(event(run, FlightEvent::Mismatch, found->clock));
-      return code == ExitGood ? static_cast<int>(ExitDifference) : code;
-    }
-    if (!going) {
-      tell("stopped in " + place_of(run.clock(), raster));
-      recorder.replay(event(run, FlightEvent::Interrupt, run.clock()));
-      return ExitInterrupted;
-    }
-    recorder.pass(run.clock());
+  } catch (const RtlError&) {
+    recorder.replay(stopped(FlightEvent::Crash, run.kernel_clock() - 1));
+    throw;
   }
   return std::nullopt;
 }

@@ -18,19 +18,20 @@ namespace racebeam {
 
 struct EventWatch {
   Condition* condition;  ///< or nullptr
-  std::int64_t keep;     ///< clocks before a crash or Ctrl-C; around() asks for no more
+  std::int64_t keep;     ///< clocks up to a crash or Ctrl-C; around() asks for no more before it
   /// The clocks to be written when something happens in the first of them.
   std::function<TraceWindow(const TracePoint&)> around;
   /// Writes the window of a run that stands before it; returns the exit code.
   std::function<int(TraceRun&, const TraceWindow&)> write;
 
   /// Watches the clocks `first` to `last` of a run that stands before them, and says what happened.
-  /// Returns the exit code; nothing: nothing happened.
+  /// Returns the exit code; nothing: nothing happened. Throws RtlError after a crash of the RTL.
   std::optional<int> run(TraceRun& run, std::int64_t first, std::int64_t last) const;
 
  private:
-  FlightEvent event(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,
-                    int detail = 0) const;
+  FlightEvent happened(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock) const;
+  FlightEvent stopped(FlightEvent::Kind kind, std::int64_t last_clock, int detail = 0) const;
+  int replayed(TraceRun& copy, const FlightEvent& event) const;
 };
 
 }  // namespace racebeam

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/flight_recorder.h"
 
-#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,9 +10,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <initializer_list>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "tb/errors.h"
+#include "tb/guarded.h"
 
 namespace racebeam {
 
@@ -38,10 +39,8 @@ FlightRecorder::FlightRecorder(std::int64_t keep, std::function<int(const Flight
     : keep_(keep), step_(std::max(keep + 1, shortest_step)), replay_(std::move(replay)) {}
 
 FlightRecorder::~FlightRecorder() {
-  if (crashing == this) {
-    for (const int number : Crashes) signal(number, SIG_DFL);
-    crashing = nullptr;
-  }
+  if (crashing == this) crashing = nullptr;
+  for (const auto& [number, action] : before_) sigaction(number, &action, nullptr);
   for (const Copy& copy : copies_) dismiss(copy);
 }
 
@@ -52,25 +51,32 @@ void FlightRecorder::dismiss(const Copy& copy) {
 
 void FlightRecorder::pass(std::int64_t clock) {
   if (!copies_.empty() && clock < copies_.back().clock + step_) return;
-  int ends[2];
-  std::fflush(nullptr);
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a copy of the run");
-  const pid_t process = fork();
-  if (process < 0) throw std::runtime_error("no process for a copy of the run");
-  if (process == 0) {
-    close(ends[1]);
-    wait_for_event(ends[0]);
-  }
-  close(ends[0]);
-  copies_.push_back({process, ends[1], clock});
+  if (!copy(clock) && copies_.empty())
+    throw MissingTool("no process for a copy of the run; end other programs, or raise `ulimit -u`");
   if (copies_.size() <= 2) return;
   dismiss(copies_.front());
   copies_.erase(copies_.begin());
 }
 
-// The life of a copy: it ends without a word if the pipe is closed. What replay_ throws is told by
-// the program as if the run itself had thrown it.
+bool FlightRecorder::copy(std::int64_t clock) {
+  int ends[2];
+  std::fflush(nullptr);
+  if (pipe(ends) != 0) return false;
+  const pid_t process = fork();
+  if (process == 0) {
+    close(ends[1]);
+    wait_for_event(ends[0]);
+  }
+  close(ends[0]);
+  if (process < 0) close(ends[1]);
+  else copies_.push_back({process, ends[1], clock});
+  return process > 0;
+}
+
+// The life of a copy: it ends without a word if the pipe is closed. It never returns to the
+// program, whose threads are not copied, and ends with whoever waits for it.
 void FlightRecorder::wait_for_event(int orders) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int number : Interrupts) signal(number, SIG_IGN);
   for (const int number : Crashes) signal(number, SIG_DFL);
   for (const Copy& older : copies_) close(older.order);  // or they would not see them closed
@@ -80,7 +86,7 @@ void FlightRecorder::wait_for_event(int orders) {
   do got = read(orders, &event, sizeof event);
   while (got < 0 && errno == EINTR);
   if (got != sizeof event) _exit(0);
-  const int code = replay_(event);
+  const int code = guarded([&] { return replay_(event); });
   std::fflush(nullptr);
   _exit(code);
 }
@@ -96,7 +102,9 @@ int FlightRecorder::status_of(const FlightEvent& event) {
 
 int FlightRecorder::replay(const FlightEvent& event) {
   const int status = status_of(event);
-  if (status == NoAnswer) throw std::runtime_error("the copy that was to write the waveform died");
+  if (status == NoAnswer)
+    throw MissingTool(
+        "the copy of the run that was to write the waveform was killed; is there memory left?");
   return status;
 }
 
@@ -112,14 +120,16 @@ void FlightRecorder::catch_crashes(std::function<std::int64_t()> clock_now) {
     struct sigaction action {};
     action.sa_handler = crashed;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
-    sigaction(number, &action, nullptr);
+    struct sigaction before {};
+    sigaction(number, &action, &before);
+    before_.emplace_back(number, before);
   }
 }
 
 void FlightRecorder::crashed(int signal) {
   FlightRecorder& recorder = *crashing;
   const std::int64_t clock = recorder.clock_now_();
-  recorder.status_of({FlightEvent::Crash, clock, clock - recorder.keep_, clock, signal});
+  recorder.status_of({FlightEvent::Crash, clock, clock - recorder.keep_ + 1, clock, signal});
   raise(signal);
 }
 

@@ -8,10 +8,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace racebeam {
@@ -39,13 +41,13 @@ class FlightRecorder {
   FlightRecorder(const FlightRecorder&) = delete;
   FlightRecorder& operator=(const FlightRecorder&) = delete;
 
-  /// The run stands in `clock`; the first call, and each after some time, leaves a copy there.
-  /// Throws std::runtime_error if the machine has no process left.
+  /// The run stands in `clock`; the first call, and each after some time, leaves a copy there. If
+  /// the machine has no process left the older copies stay. Throws MissingTool if there is none.
   void pass(std::int64_t clock);
   /// The oldest clock that can be asked for.
   std::int64_t oldest() const { return copies_.front().clock; }
-  /// Lets a copy replay, and waits for it. Returns the exit code. Throws std::runtime_error if it
-  /// died.
+  /// Lets a copy replay, and waits for it. Returns the exit code. Throws MissingTool if it was
+  /// killed.
   int replay(const FlightEvent& event);
   /// Until the end of this object a crash replays the `keep` clocks before it, and then kills the
   /// program as it would have. `clock_now`: the last clock that was whole; it is called by a
@@ -61,13 +63,15 @@ class FlightRecorder {
 
   static void crashed(int signal);
   [[noreturn]] void wait_for_event(int orders);
+  bool copy(std::int64_t clock);
   int status_of(const FlightEvent& event);
   void dismiss(const Copy& copy);
 
   const std::int64_t keep_, step_;
   const std::function<int(const FlightEvent&)> replay_;
   std::function<std::int64_t()> clock_now_;
-  std::vector<Copy> copies_;  // oldest first
+  std::vector<Copy> copies_;                              // oldest first
+  std::vector<std::pair<int, struct sigaction>> before_;  // signals, and who had them
 };
 
 }  // namespace racebeam

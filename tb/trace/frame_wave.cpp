@@ -23,6 +23,7 @@ FrameWave::FrameWave(SignalBench& bench, const Show& show, const Raster& raster,
 
 void FrameWave::commit() {
   bench_.each_clock({});
+  if (next_ == first_) return;
   const auto time = [&](std::int64_t clock) {
     return static_cast<std::uint64_t>(clock * bench_.period_ps());
   };

@@ -19,7 +19,7 @@ class FrameWave {
   FrameWave(SignalBench& bench, const Show& show, const Raster& raster, int first,
             const std::string& path);
 
-  /// Ends the file after the clocks so far. Throws OutputError.
+  /// Ends the file after the clocks so far; without one there is no file. Throws OutputError.
   void commit();
 
  private:

@@ -74,7 +74,7 @@ void SignalTrace::add_beam(bool with_clock) {
 
 // Returns the number of the signal.
 int SignalTrace::add(const ChipSignal& signal) {
-  const auto* words = signal.is_port() ? nullptr : state_words(signal.path());
+  const auto* words = state_words(signal);
   const int word = words ? vcd_.add_text(signal.scope, signal.name + "_name") : None;
   const int added = vcd_.add(signal.scope, signal.name, signal.bits);
   if (signal.wire.bit) bits_.push_back({signal.wire.bit, added});

@@ -28,10 +28,9 @@ struct TraceSelection {
 
 class SignalTrace {
  public:
-  /// Adds `signals` to `vcd`, which outlives the trace. They were asked for before the first clock
-  /// that matters: what a unit has missed asleep, it does not know later. `part`: what a frame
-  /// shows. `overview`: of a window so long that all would be too much; ports and wires only, and
-  /// not those that change in every clock. Throws UsageError if nothing is selected.
+  /// Adds `signals` to `vcd`, which outlives the trace. Registers are to be watched. `part`: what a
+  /// frame shows. `overview`: of a window so long that all would be too much; ports and wires only,
+  /// and not those that change in nearly every clock. Throws UsageError if nothing is selected.
   SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster, int period_ps,
               const TraceSelection& selection, bool overview, std::function<std::string(int)> part,
               VcdWriter& vcd);

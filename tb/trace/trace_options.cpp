@@ -100,14 +100,21 @@ TraceWindow TraceOptions::searched(const TraceWindowReader& reader) const {
 
 TraceWindow TraceOptions::around_point(const TracePoint& point, const TraceWindowReader& reader,
                                        const Raster& raster) const {
-  if (record > 0) return reader.around(point, record * raster.line_clocks(), post.value_or(0));
+  if (record > 0) return reader.around(point, record * raster.line_clocks() - 1, post.value_or(0));
   if (pre || post) return reader.around(point, pre.value_or(0), post.value_or(0));
   return reader.around(point, lines);
 }
 
 long long TraceOptions::clocks_before(const Raster& raster) const {
-  const long long whole_lines = record > 0 ? record : lines + 1;
-  return std::max(whole_lines * raster.line_clocks(), pre.value_or(0));
+  if (record > 0) return record * raster.line_clocks();
+  const long long line = raster.line_clocks();
+  return pre || post ? std::max(pre.value_or(0), line) : (lines + 1) * line;
+}
+
+long long TraceOptions::most_clocks(const Raster& raster) const {
+  if (record > 0) return clocks_before(raster) + post.value_or(0);
+  return pre || post ? pre.value_or(0) + post.value_or(0) + 1
+                     : (2 * lines + 1) * raster.line_clocks();
 }
 
 UsageError TraceOptions::nothing_found(const TraceWindow& where) const {

@@ -47,8 +47,9 @@ struct TraceOptions {
   /// What is to be written around what was found.
   TraceWindow around_point(const TracePoint& point, const TraceWindowReader& reader,
                            const Raster& raster) const;
-  /// Clocks before it that this may ask for.
+  /// Clocks before it that this may ask for, and of the whole window.
   long long clocks_before(const Raster& raster) const;
+  long long most_clocks(const Raster& raster) const;
   UsageError nothing_found(const TraceWindow& where) const;
 
  private:

@@ -17,7 +17,7 @@ class TraceRun {
   /// Stands in the first clock of `frame`; nothing is simulated yet.
   TraceRun(SignalBench& bench, const Raster& raster, int frame);
 
-  SignalBench& bench() { return bench_; }
+  SignalBench& bench() const { return bench_; }
   const Raster& raster() const { return raster_; }
   /// Ordinal of the clock it stands in.
   std::int64_t clock() const { return clock_; }

@@ -23,6 +23,7 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
   const bool overview =
       selection.scopes.empty() && last - first >= OverviewLines * raster.line_clocks();
   VcdWriter vcd;
+  if (!overview) run.bench().watch_registers();
   SignalTrace trace(
       chip_signals(run.bench()), raster, run.bench().period_ps(), selection, overview,
       [&](int frame) { return show.part(frame); }, vcd);
@@ -39,8 +40,19 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
     run.each_clock({});
   }
   if (overview && end > last)
-    tell("a long window has ports and wires only; --scope '*' has all signals");
+    tell(
+        "a long window is an overview: no registers, no clock, nothing that changes in nearly "
+        "every "
+        "clock; --scope '*' has all signals");
   return finish(files, vcd, {window, raster, run.bench().period_ps(), end - first, 1});
+}
+
+void WindowWriter::check(const TraceRun& run) const {
+  VcdWriter vcd;
+  SignalTrace(
+      chip_signals(run.bench()), run.raster(), run.bench().period_ps(), selection, false,
+      [](int) { return ""; }, vcd);
+  TraceFiles(output, picture, "", vcd);
 }
 
 int WindowWriter::write_transactions(const knobs& k, const scene_program* program,

@@ -22,7 +22,9 @@ struct WindowWriter {
   /// that the user stops keeps what there is. Returns the exit code. Throws UsageError as
   /// SignalTrace and TraceFiles do, and OutputError.
   int write(TraceRun& run, const TraceWindow& window) const;
-  /// The same of the transactions of the tlm level.
+  /// Throws what write() would throw before its first clock.
+  void check(const TraceRun& run) const;
+  /// As write(), of the transactions of the tlm level.
   int write_transactions(const knobs& k, const scene_program* program, const Raster& raster,
                          const TraceWindow& window) const;
 

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/guarded.h"
+
+#include <new>
+#include <string>
+
+#include "sc/rtl_library.h"
+#include "tb/console.h"
+#include "tb/errors.h"
+#include "tb/output_file.h"
+#include "tb/vga_monitor.h"
+
+namespace racebeam {
+
+int guarded(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    tell(error.what());
+    return ExitUsage;
+  } catch (const RtlError& error) {
+    tell(error.what());
+    return ExitUsage;
+  } catch (const OutputError& error) {
+    tell(error.what());
+    tell(
+        "whole files are kept, nothing half-written is left; choose another place or free some "
+        "space");
+    return ExitUsage;
+  } catch (const MissingTool& error) {
+    tell(error.what());
+    return ExitMissing;
+  } catch (const std::bad_alloc&) {
+    tell("out of memory; render fewer frames at a time");
+    return ExitMissing;
+  } catch (const SyncError& error) {
+    tell(error.what());
+    return ExitDifference;
+  } catch (const std::exception& error) {
+    tell(std::string("internal error, please report: ") + error.what());
+    return ExitDifference;
+  }
+}
+
+}  // namespace racebeam
