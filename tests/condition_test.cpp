@@ -66,6 +66,15 @@ TEST_F(ConditionTest, EverySignalIsNamedWithAndWithoutTheChip) {
   EXPECT_GT(checked, 400);
 }
 
+TEST_F(ConditionTest, ANameThatOneSignalHasNeedsNoPath) {
+  EXPECT_EQ(holds("sd_q > 1"), holds("u_subdivider.sd_q > 1"));
+  EXPECT_NE(holds("sd_q > 1"), holds("sd_q <= 1"));
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(holds("u_stacks.sd_q > 1"), holds("u_subdivider.sd_q > 1"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              HasSubstr("u_stacks.sd_q is chip.u_subdivider.sd_q"));
+}
+
 TEST_F(ConditionTest, SignedSignalsAreSigned) {
   chip_core chip;
   const knobs k;
@@ -94,9 +103,9 @@ TEST_F(ConditionTest, StatesAreWords) {
 }
 
 TEST_F(ConditionTest, RefusesWhatItCannotAsk) {
-  EXPECT_THAT(
-      refusal("u_stacks.sd_q == 4"),
-      HasSubstr("there is no signal 'u_stacks.sd_q'; did you mean 'chip.u_subdivider.sd_q'"));
+  EXPECT_THAT(refusal("u_stacks.dr1_q == 4"),
+              HasSubstr("there is no signal 'u_stacks.dr1_q'; did you mean 'chip.u_ray_stepper"))
+      << "there are three";
   EXPECT_THAT(refusal("u_subdivider.i1_w == 4"), HasSubstr("did you mean 'u_subdivider.i1_q'?"));
   EXPECT_THAT(refusal("line = 240"), HasSubstr("'=' at character 6; to compare write '=='"));
   EXPECT_THAT(refusal("line == "), HasSubstr("--when 'line == '"));

@@ -14,6 +14,7 @@
 #include <regex>
 #include <vector>
 
+#include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/nearest.h"
 #include "tb/trace/chip_signals.h"
@@ -126,11 +127,18 @@ struct Condition::Parser {
         fmt::format("--when '{}': there is no signal '{}'; {}", text, name, hint(name)));
   }
 
+  // By its path; or by its last name, if only one signal has it.
   const ChipSignal* find(const std::string& name) const {
     for (const std::string& path : {name, "chip." + name})
       for (const ChipSignal& signal : signals)
         if (signal.path() == path) return &signal;
-    return nullptr;
+    const std::string last = name.substr(name.rfind('.') + 1);
+    const auto is_it = [&](const ChipSignal& signal) { return signal.name == last; };
+    const auto only = std::find_if(signals.begin(), signals.end(), is_it);
+    if (only == signals.end() || std::find_if(only + 1, signals.end(), is_it) != signals.end())
+      return nullptr;
+    if (last != name) tell("--when: " + name + " is " + only->path());
+    return &*only;
   }
 
   // The words behind state registers become their values.

@@ -1,10 +1,11 @@
 // Condition: an expression over the signals of the chip, such as
 // `u_subdivider.sd_q == 4 && line == 240`.
 //
-// A signal is named by its path, with or without `chip.` or `beam.`; signed ones are signed. Behind
-// `==` or `!=` a state register is compared with its words: `u_subdivider.state_q == bisect`.
-// Operators, as in C: ( ) ! - * / + < <= > >= == != && || ?: and bit(x, n). The parser is muParser:
-// numbers are doubles, exact up to 53 bits; what is divided by 0 is infinite.
+// A signal is named by its path, with or without `chip.` or `beam.`, or by its last name if no
+// other has that; signed ones are signed. Behind `==` or `!=` a state register is compared with its
+// words: `u_subdivider.state_q == bisect`. Operators, as in C: ( ) ! - * / + < <= > >= == != && ||
+// ?: and bit(x, n). The parser is muParser: numbers are doubles, exact up to 53 bits; what is
+// divided by 0 is infinite.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -21,11 +21,12 @@ bool any_matches(const std::vector<std::string>& patterns, const std::string& pa
   });
 }
 
-/// Whether an overview has it: no register, no clock, no position or corner of every clock, and not
-/// the beam's demand, which is as regular.
+/// Whether an overview has it: no register, no clock, nothing of the beam that is as regular, and
+/// not the numbers that every question takes: corner, ray, and what the scene says of the room.
 bool is_calm(const ChipSignal& signal) {
   static const std::vector<std::string> busy = {
-      "*.x2", "*.x2_[io]", "*.corner_[xyz]", "*.corner_[xyz]_[io]", "*.consume", "*.consume_[io]"};
+      "*.x2",    "*.x2_[io]",    "*.consume",     "*.consume_[io]", "*.corner_*",
+      "*.dr2_*", "*.neighbour*", "*.half_size_*", "*.position_*",   "*.look_*"};
   return signal.is_port() && !signal.is_clock() && !any_matches(busy, signal.path());
 }
 

@@ -41,9 +41,8 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
   }
   if (overview && end > last)
     tell(
-        "a long window is an overview: no registers, no clock, nothing that changes in nearly "
-        "every "
-        "clock; --scope '*' has all signals");
+        "a long window is an overview: no registers, clock, rays or geometry of rooms; --scope '*' "
+        "has all signals");
   return finish(files, vcd, {window, raster, run.bench().period_ps(), end - first, 1});
 }
 
