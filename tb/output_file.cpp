@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -19,6 +20,12 @@ OutputError::OutputError(const std::string& path, const std::string& reason)
 
 OutputError::OutputError(const std::string& path, int error, const std::string& otherwise)
     : OutputError(path, error ? std::string(std::strerror(error)) : otherwise) {}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   static std::atomic<int> serial{0};
@@ -62,7 +69,7 @@ void OutputFile::write(const void* data, std::size_t size) {
   if (std::fwrite(data, 1, size, stream_) != size) throw OutputError(path_, errno, "short write");
 }
 
-void OutputFile::commit(std::uintmax_t at_least) {
+void OutputFile::finish(std::uintmax_t at_least) {
   if (stream_) {
     errno = 0;
     const bool whole = !std::ferror(stream_);
@@ -76,9 +83,13 @@ void OutputFile::commit(std::uintmax_t at_least) {
     const std::uintmax_t size = fs::file_size(temporary_, error);
     if (error) throw OutputError(path_, error.value(), "nothing was written");
     if (size < at_least) throw OutputError(path_, "the file is short; is the disk full?");
-    if (std::rename(temporary_.c_str(), final_.c_str()) != 0)
-      throw OutputError(path_, errno, "cannot rename");
   }
+}
+
+void OutputFile::commit(std::uintmax_t at_least) {
+  finish(at_least);
+  if (temporary_ != final_ && std::rename(temporary_.c_str(), final_.c_str()) != 0)
+    throw OutputError(path_, errno, "cannot rename");
   committed_ = true;
 }
 

@@ -2,7 +2,8 @@
 //
 // It is written beside its final place under a temporary name and renamed by commit(), so that a
 // run that is killed, or a full disk, leaves no half file. What exists and is not a regular file
-// (a device, a pipe) is written in place.
+// (a device, a pipe) is written in place. As with `mv -f`, whoever may write to the folder may
+// replace a file in it, a write-protected one too.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -25,6 +26,10 @@ class OutputError : public std::runtime_error {
   OutputError(const std::string& path, int error, const std::string& otherwise);
 };
 
+/// The extension of a file's name in lower case, ".png": whatever a path ends with, its case says
+/// nothing.
+std::string extension_of(const std::string& path);
+
 class OutputFile {
  public:
   /// Writes nothing yet. Throws OutputError if the folder does not exist or `path` is a folder.
@@ -42,8 +47,10 @@ class OutputFile {
   /// Appends `size` bytes. Throws OutputError, also on a full disk.
   void write(const void* data, std::size_t size);
 
-  /// Gives the file its name. Throws OutputError if something could not be written, nothing was
-  /// written, or the file is shorter than `at_least` bytes.
+  /// Ends the writing. Throws OutputError if something could not be written, nothing was written,
+  /// or the file is shorter than `at_least` bytes.
+  void finish(std::uintmax_t at_least = 0);
+  /// Gives the file its name, after finish(). Throws OutputError.
   void commit(std::uintmax_t at_least = 0);
 
  private:

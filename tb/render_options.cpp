@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -13,6 +12,7 @@
 
 #include "tb/nearest.h"
 #include "tb/open_show.h"
+#include "tb/output_file.h"
 #include "tb/set_knob.h"
 #include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
@@ -73,8 +73,7 @@ std::optional<GoldenTracer> tracer_of(const std::string& name) {
 
 // A name may have no extension, but not one of another format.
 void check_extension(const char* option, const std::string& path, const char* extension) {
-  std::string own = fs::path(path).extension().string();
-  for (char& c : own) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string own = extension_of(path);
   if (!own.empty() && own != extension)
     throw UsageError(fmt::format("{} writes {}; rename {}", option, extension, path));
 }
@@ -113,8 +112,7 @@ std::string chosen_level(const RenderOptions& options) {
 // What a waveform of whole frames needs.
 void check_wave(const RenderPlan& plan) {
   if (plan.vcd.empty()) return;
-  if (!is_waveform(plan.vcd)) throw UsageError(plan.vcd + ": a waveform ends with .vcd or .fst");
-  if (plan.vcd.substr(plan.vcd.size() - 4) == ".fst") need_vcd2fst();
+  check_waveform_name(plan.vcd);
   if (plan.tracer) throw UsageError("--vcd needs the chip; leave out --golden, or --vcd");
   if (plan.every != 1 || plan.jobs != 1 || plan.first + plan.frames > plan.show.frames())
     throw UsageError(

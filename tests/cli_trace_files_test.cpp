@@ -1,10 +1,13 @@
-// `racebeam trace` through the command line: FST, save file, triggers, and two files compared.
+// `racebeam trace` through the command line: FST, save file, and triggers.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -57,24 +60,67 @@ TEST_F(CliTraceFilesTest, TheSaveFileShowsEverySignalInTheGroupOfItsUnit) {
   EXPECT_EQ(shown.size(), wave.signals.size());
 }
 
-TEST_F(CliTraceFilesTest, DiffExplainsTheFirstDifference) {
-  trace({"--from", "60:0", "--to", "60:3"}, "a.vcd");
-  Program same(folder.path(), {"trace", "--diff", "a.vcd", "a.vcd"});
-  EXPECT_EQ(same.wait(), 0);
-  EXPECT_THAT(same.out(), HasSubstr("no difference"));
-  std::string text = read_file(folder / "a.vcd");
-  const auto line = "#" + std::to_string(ordinal(60, 1, 700) * Period + Period / 2) + "\n";
-  const auto at = text.find(line);
-  ASSERT_NE(at, std::string::npos);
-  const auto variable = text.find(" idx2_q ");  // $var wire 10 CODE idx2_q
-  const auto blank = text.rfind(' ', variable - 1);
-  const std::string code = text.substr(blank + 1, variable - blank - 1);
-  std::ofstream(folder / "c.vcd") << text.insert(at + line.size(), "b111 " + code + "\n");
-  Program changed(folder.path(), {"trace", "--diff", "a.vcd", "c.vcd"});
-  EXPECT_EQ(changed.wait(), 1);
-  EXPECT_THAT(changed.out(), HasSubstr("(frame 60, line 1, clock 700): 1 signal\n"));
-  EXPECT_THAT(changed.out(), HasSubstr("  chip.u_subdivider.idx2_q: "));
-  EXPECT_THAT(changed.out(), HasSubstr("111 in c.vcd\n"));
+// GTKWave writes its own first line, whatever name it saves under.
+TEST_F(CliTraceFilesTest, TheUsersOwnSaveFileIsKept) {
+  const std::vector<std::string> clock = {"--from", "60:0:0", "--to", "60:0:0"};
+  trace(clock);
+  EXPECT_EQ(said.find("kept"), std::string::npos);
+  const std::string ours = read_file(folder / "t.gtkw");
+  EXPECT_THAT(ours, testing::StartsWith("[*] racebeam\n"));
+  std::ofstream(folder / "t.gtkw") << ours << "old";
+  trace(clock);
+  EXPECT_EQ(read_file(folder / "t.gtkw"), ours);
+  const std::string theirs = "[*]\n[*] GTKWave Analyzer v3.3.104 (w)1999-2020 BSI\n";
+  std::ofstream(folder / "t.gtkw") << theirs;
+  trace(clock);
+  EXPECT_EQ(read_file(folder / "t.gtkw"), theirs);
+  EXPECT_THAT(said, HasSubstr("kept t.gtkw, which is not ours; remove it to get a new one\n"));
+  EXPECT_THAT(said, HasSubstr("wrote t.vcd: "));
+}
+
+TEST_F(CliTraceFilesTest, WithoutPlaceForTheSaveFileThereIsNoWaveform) {
+  std::filesystem::create_directory(folder / "t.gtkw");
+  for (const char* file : {"t.vcd", "t.fst"}) {
+    Program run(folder.path(), {"trace", "demo", "-o", file, "--from", "60:0:0", "--to", "60:0:0"});
+    EXPECT_EQ(run.wait(), 2);
+    EXPECT_THAT(run.err(), HasSubstr("cannot write t.gtkw: Is a directory"));
+    EXPECT_EQ(folder.files(), 1);
+  }
+}
+
+// The first Ctrl-C comes after the window, the second while vcd2fst is at work.
+TEST_F(CliTraceFilesTest, CtrlCDoesNotStopVcd2fst) {
+  std::filesystem::create_directory(folder / "bin");
+  std::ofstream(folder / "bin/vcd2fst") << "#!/bin/sh\n: >begun\n"
+                                           "while [ ! -e interrupted ]; do sleep 0.01; done\n"
+                                           "PATH=${PATH#*:} exec vcd2fst \"$@\"\n";
+  std::filesystem::permissions(folder / "bin/vcd2fst", std::filesystem::perms::owner_all);
+  Program::Setting slow;
+  slow.environment = "PATH=" + (folder / "bin") + ":" + std::getenv("PATH");
+  slow.group = true;
+  Program run(folder.path(), {"trace", "demo", "-o", "t.fst", "--from", "60:0:0", "--to", "60:0:9"},
+              slow);
+  for (int n = 0; n < 3000 && !std::filesystem::exists(folder / "begun"); ++n) usleep(10000);
+  run.signal_group(SIGINT);
+  usleep(20000);
+  run.signal_group(SIGINT);
+  std::ofstream(folder / "interrupted") << "";
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  EXPECT_GT(read_file(folder / "t.fst").size(), 100u);
+}
+
+TEST_F(CliTraceFilesTest, ExtensionsAreReadInBothCases) {
+  const std::vector<std::string> clock = {"--from", "60:0:0", "--to", "60:0:0"};
+  trace(clock);
+  trace(clock, "c.VCD");
+  EXPECT_EQ(read_file(folder / "c.VCD"), read_file(folder / "t.vcd"));
+  Program fst(folder.path(),
+              {"trace", "demo", "-o", "c.FST", "--from", "60:0:0", "--to", "60:0:0"});
+  EXPECT_EQ(fst.wait(), 0) << fst.err();
+  EXPECT_NE(read_file(folder / "c.FST").substr(0, 8), read_file(folder / "t.vcd").substr(0, 8));
+  Program picture(folder.path(),
+                  {"trace", "c.VCD", "--picture", "c.SVG", "--scope", "chip.u_stacks"});
+  EXPECT_EQ(picture.wait(), 0) << picture.err();
 }
 
 TEST_F(CliTraceFilesTest, AroundShowsTheLinesOfItsTrigger) {

@@ -71,6 +71,30 @@ TEST_F(OutputFileTest, CommitAcceptsAFileWrittenByOthers) {
   EXPECT_EQ(read(folder / "a.txt"), "by others");
 }
 
+TEST_F(OutputFileTest, AfterFinishOnlyTheNameIsMissing) {
+  OutputFile file(folder / "a.txt");
+  file.write("x", 1);
+  EXPECT_THROW(file.finish(2), OutputError);
+  file.finish(1);
+  EXPECT_EQ(read(file.temporary_path()), "x");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+  file.commit();
+  EXPECT_EQ(read(folder / "a.txt"), "x");
+}
+
+TEST_F(OutputFileTest, ExtensionsAreLowerCase) {
+  EXPECT_EQ(extension_of("a.b/c.d.VcD"), ".vcd");
+  EXPECT_EQ(extension_of("a.b/c"), "");
+}
+
+// As `mv -f` does: the folder's owner decides, not the file's mode.
+TEST_F(OutputFileTest, AWriteProtectedFileIsReplaced) {
+  write_text(folder / "a.txt", "old");
+  std::filesystem::permissions(folder / "a.txt", std::filesystem::perms::owner_read);
+  write_text(folder / "a.txt", "new");
+  EXPECT_EQ(read(folder / "a.txt"), "new");
+}
+
 TEST_F(OutputFileTest, CommitRefusesWhatIsMissingOrShort) {
   OutputFile missing(folder / "a.txt");
   EXPECT_THROW(missing.commit(), OutputError);

@@ -36,6 +36,7 @@ class Program {
     rlim_t largest_file = RLIM_INFINITY;  ///< bytes: a full disk
     bool terminal = false;                ///< stderr is one
     std::string environment = {};         ///< one more NAME=VALUE
+    bool group = false;                   ///< leads a process group, as on a terminal
   };
 
   Program(const std::string& folder, const std::vector<std::string>& arguments)
@@ -47,6 +48,7 @@ class Program {
     if (setting.terminal && openpty(&terminal_, &screen, nullptr, nullptr, nullptr) != 0)
       throw std::runtime_error("no terminal");
     pid_ = fork();
+    if (setting.group) setpgid(pid_, pid_);  // both sides: whoever comes first
     if (pid_ == 0) become(folder, arguments, setting, screen);
     if (screen >= 0) close(screen);
   }
@@ -59,6 +61,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void signal(int number) const { kill(pid_, number); }
+  /// To all of its process group: Ctrl-C on a terminal. With Setting::group.
+  void signal_group(int number) const { kill(-pid_, number); }
   /// Processes that it has started and that live.
   int children() const {
     const std::string process = std::to_string(pid_);

@@ -11,6 +11,7 @@
 #include "tb/counted.h"
 #include "tb/errors.h"
 #include "tb/output_file.h"
+#include "tb/trace/wave_file.h"
 #include "tb/trace/wave_picture.h"
 
 namespace racebeam {
@@ -30,7 +31,7 @@ bool takes(const TraceSelection& selection, const std::string& path) {
 }  // namespace
 
 void check_picture_name(const std::string& picture) {
-  if (fs::path(picture).extension() != ".svg")
+  if (extension_of(picture) != ".svg")
     throw UsageError(picture + ": a picture of a waveform ends with .svg");
 }
 
@@ -39,7 +40,7 @@ int draw_waveform(const std::string& dump, const std::string& picture,
   if (picture.empty())
     throw UsageError(dump + " is a waveform: --picture FILE.svg draws it, --diff compares two");
   check_picture_name(picture);
-  if (fs::path(dump).extension() == ".fst")
+  if (is_fst(dump))
     throw UsageError("a picture is drawn of a VCD: `fst2vcd " + dump + " -o " +
                      fs::path(dump).replace_extension(".vcd").string() + "` makes one");
   VcdReader vcd(dump);

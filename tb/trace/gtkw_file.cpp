@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <system_error>
 #include <vector>
 
 #include "tb/trace/signal_look.h"
@@ -17,6 +19,8 @@ namespace racebeam {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* Title = "[*] racebeam";  // GTKWave writes "[*] GTKWave Analyzer v3..."
 
 // Flags of a trace in GTKWave 3.3, hexadecimal.
 constexpr const char *OpenGroup = "@800200", *EndOpenGroup = "@1000200", *FoldedGroup = "@c00200",
@@ -110,10 +114,19 @@ std::string gtkw_path(const std::string& dump) {
   return fs::path(dump).replace_extension(".gtkw").string();
 }
 
+bool is_foreign_gtkw(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  std::ifstream in(path);
+  std::string first;
+  std::getline(in, first);
+  return first != Title;
+}
+
 std::string gtkw_text(const std::string& dump, const VcdWriter& vcd, const GtkwWindow& window) {
   std::map<std::string, Names> groups;
   for (const auto& name : vcd.names()) groups[name.scope].push_back(&name);
-  std::string text = "[*] racebeam\n[dumpfile] \"" + fs::absolute(dump).string() +
+  std::string text = std::string(Title) + "\n[dumpfile] \"" + fs::absolute(dump).string() +
                      "\"\n[savefile] \"" + fs::absolute(gtkw_path(dump)).string() + "\"\n" +
                      view(window);
   add_group(text, "beam", true, groups["beam"], vcd);

@@ -3,9 +3,8 @@
 //
 // A small waveform is open as a whole. Of a large one `beam` and an overview are open, the tracer
 // from its state to the FIFO; the units are folded. States are shown by their words, signals of
-// their own
-// (`state_q_name`), not by a translation file, which would be one more file to move about, and
-// means nothing to other viewers.
+// their own (`state_q_name`), not by a translation file, which would be one more file to move
+// about, and means nothing to other viewers.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -32,5 +31,8 @@ std::string gtkw_text(const std::string& dump, const VcdWriter& vcd, const GtkwW
 
 /// Where it belongs: F.gtkw for F.vcd and F.fst.
 std::string gtkw_path(const std::string& dump);
+
+/// Whether a file lies at `path` that this program did not write: somebody saved it from GTKWave.
+bool is_foreign_gtkw(const std::string& path);
 
 }  // namespace racebeam

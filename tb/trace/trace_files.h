@@ -18,16 +18,17 @@ namespace racebeam {
 class TraceFiles {
  public:
   /// `waveform` or `picture` may be empty, not both. A long window is streamed from `vcd`, which
-  /// outlives this; one that is drawn is short, and stays in memory until the drawing is good.
-  /// Throws OutputError.
+  /// outlives this; one that is drawn is short, and stays in memory until the drawing is good. A
+  /// save file that somebody made with GTKWave is kept. Throws OutputError.
   TraceFiles(const std::string& waveform, const std::string& picture, const std::string& comment,
              VcdWriter& vcd);
 
-  /// Ends the files with the end of `window`. Until then, and if this throws, there are none.
-  /// Throws UsageError as read_waves() does, and OutputError.
+  /// Ends the files with the end of `window`: all are whole before the first gets its name, and the
+  /// waveform gets it last. Until then, and if this throws, there is no waveform. Throws UsageError
+  /// as read_waves() does, and OutputError.
   void commit(const GtkwWindow& window);
 
-  /// "w.vcd and w.gtkw"
+  /// "w.vcd and w.gtkw": what is written.
   std::string names() const;
 
  private:
@@ -36,7 +37,7 @@ class TraceFiles {
   const std::string waveform_, picture_name_, comment_;
   VcdWriter& vcd_;
   std::optional<WaveFile> wave_;
-  std::optional<OutputFile> picture_;
+  std::optional<OutputFile> save_, picture_;
 };
 
 }  // namespace racebeam

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "tb/nearest.h"
@@ -15,8 +14,6 @@
 #include "tb/trace/wave_file.h"
 
 namespace racebeam {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -52,9 +49,7 @@ void TraceOptions::check_files() const {
   if (output.empty() && picture.empty())
     throw UsageError("-o FILE.vcd or FILE.fst, or --picture FILE.svg, says where to write");
   if (!picture.empty()) check_picture_name(picture);
-  if (!output.empty() && !is_waveform(output))
-    throw UsageError(output + ": a waveform ends with .vcd or .fst");
-  if (fs::path(output).extension() == ".fst") need_vcd2fst();
+  if (!output.empty()) check_waveform_name(output);
 }
 
 void TraceOptions::check_level() const {

@@ -11,11 +11,14 @@
 
 namespace racebeam {
 
-/// Whether `path` names a waveform: it ends with .vcd or .fst.
+/// Whether `path` names a waveform: it ends with .vcd or .fst, in any case.
 bool is_waveform(const std::string& path);
+/// Whether it ends with .fst, in any case.
+bool is_fst(const std::string& path);
 
-/// Throws MissingTool if vcd2fst is not installed.
-void need_vcd2fst();
+/// Throws UsageError unless `path` is the name of a waveform, and MissingTool if it is to be an FST
+/// and vcd2fst is not installed.
+void check_waveform_name(const std::string& path);
 
 class WaveFile {
  public:
@@ -25,7 +28,9 @@ class WaveFile {
 
   /// Where to write the VCD.
   OutputFile& vcd() { return *vcd_; }
-  /// Ends the file. Throws OutputError.
+  /// Ends the writing, and makes the FST. Throws OutputError.
+  void finish();
+  /// Gives the file its name, after finish(). Throws OutputError.
   void commit();
 
  private:
