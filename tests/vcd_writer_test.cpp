@@ -75,6 +75,16 @@ TEST(VcdWriter, SignalsHaveSeveralNamesAndWords) {
             "#0\nb101 !\nsray_pattern \"\n#9\n");
 }
 
+TEST(VcdWriter, NoNameOfASceneEndsTheCommentOrAWord) {
+  VcdWriter vcd;
+  const int part = vcd.add_text("beam", "part");
+  vcd.change(0, part, "a\tb\nc d");
+  EXPECT_EQ(vcd.text("a $end b\n$var", 1),
+            "$comment a _end b__var $end\n$timescale 1 ps $end\n$scope module beam $end\n"
+            "$var string 1 ! part $end\n$upscope $end\n$enddefinitions $end\n"
+            "#0\nsa_b_c_d !\n#1\n");
+}
+
 TEST(VcdWriter, AStreamedFileIsTheText) {
   const ScratchFolder folder;
   VcdWriter whole, streamed;

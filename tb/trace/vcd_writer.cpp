@@ -37,6 +37,15 @@ std::string move(const std::vector<std::string>& from, const std::vector<std::st
   return text;
 }
 
+bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7f; }
+
+/// Without what would end a comment or its line.
+std::string plain(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '$' || is_control(c); }, '_');
+  return text;
+}
+
 }  // namespace
 
 int VcdWriter::add_signal(const std::string& scope, const std::string& name, int bits) {
@@ -105,7 +114,8 @@ void VcdWriter::change(std::uint64_t time, int signal, const std::string& word) 
   s.word = word;
   step(time);
   std::string shown = word.empty() ? "_" : word;
-  std::replace(shown.begin(), shown.end(), ' ', '_');
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c == ' ' || is_control(c); }, '_');
   changes_ += "s" + shown + " " + s.ending;
 }
 
@@ -114,7 +124,7 @@ std::string VcdWriter::header(const std::string& comment) const {
   for (const Name& name : names_) order.push_back(&name);
   std::stable_sort(order.begin(), order.end(),
                    [](const Name* a, const Name* b) { return a->scope < b->scope; });
-  std::string text = "$comment " + comment + " $end\n$timescale 1 ps $end\n";
+  std::string text = "$comment " + plain(comment) + " $end\n$timescale 1 ps $end\n";
   std::vector<std::string> place;
   for (const Name* n : order) {
     const int wide = bits(n->signal);

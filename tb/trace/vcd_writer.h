@@ -35,10 +35,11 @@ class VcdWriter {
     Signal& s = signals_[static_cast<std::size_t>(signal)];
     if (!s.known || s.value != value) write(time, s, value);
   }
-  /// The same of a signal of add_text(); blanks become `_`.
+  /// The same of a signal of add_text(); blanks and control characters become `_`.
   void change(std::uint64_t time, int signal, const std::string& word);
 
-  /// The file, up to `end`. `comment` says where it comes from.
+  /// The file, up to `end`. `comment` says where it comes from; `$` and control characters become
+  /// `_` in it.
   std::string text(const std::string& comment, std::uint64_t end) const;
 
   /// From now on changes go to `file`, which must outlive them, instead of memory.
