@@ -217,7 +217,8 @@ void add_trace(CLI::App& app, TraceOptions& options) {
     trace->add_option(name, to, help)->type_name(type)->allow_extra_args(false);
   };
   text("-o,--output", options.output, "FILE",
-       "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it");
+       "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it, "
+       "and never replaces one that GTKWave saved");
   trace
       ->add_option("--level", options.level,
                    "signal: units wired at 50.4 MHz; tlm: lines, intervals, rooms, restarts and "
@@ -241,7 +242,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
     return trace->add_option(name, to, help)->type_name("N");
   };
   number("--lines", options.lines, "Lines before and after the one of --around or --when")
-      ->capture_default_str();
+      ->default_str("1");
   number("--pre", options.pre, "Clocks before it instead of lines");
   number("--post", options.post, "Clocks after it instead of lines");
   number("--record", options.record,
@@ -249,7 +250,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
          "happens: --when, a mismatch in lockstep, a crash, Ctrl-C");
   list("--scope", options.scopes, "GLOB",
        "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
-       "repeatable");
+       "repeatable; with --diff, only these are compared");
   trace->add_option("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
       ->type_name("N")
       ->capture_default_str();
@@ -259,7 +260,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
   trace->add_option("--diff", options.diff, "Instead of a scene: compare two files")
       ->type_name("A.vcd B.vcd")
       ->expected(2);
-  trace->add_flag("--shared", options.shared, "With --diff: only signals that both files have");
+  trace->add_flag("--shared", options.shared, "With --diff: only the signals and the time that both files have");
 }
 
 }  // namespace racebeam

@@ -24,9 +24,16 @@ namespace racebeam {
 
 namespace {
 
+int compare(const TraceOptions& options) {
+  if (options.needs_run() || !(options.scene + options.picture).empty())
+    throw UsageError(
+        "--diff compares two files that are there; of the other options only --shared, --scope and "
+        "--depth mean something with it");
+  return report_diff(options.diff.at(0), options.diff.at(1), options.shared, options.selection());
+}
+
 int draw(const TraceOptions& options) {
-  if (!(options.from + options.to + options.output).empty() || options.searches() ||
-      options.transactions() || !options.assignments.empty() || !options.units.empty())
+  if (options.needs_run())
     throw UsageError(options.scene +
                      " is a waveform and drawn as it is; of the other options only --scope and "
                      "--depth mean something there");
@@ -79,8 +86,9 @@ bool compares(const unit_choices& units) {
 }  // namespace
 
 int command_trace(const TraceOptions& options) {
-  if (!options.diff.empty())
-    return report_diff(options.diff.at(0), options.diff.at(1), options.shared);
+  if (!options.diff.empty()) return compare(options);
+  if (options.shared)
+    throw UsageError("--shared is for the two files of --diff; leave it out, or add --diff");
   if (is_waveform(options.scene)) return draw(options);
   if (options.scene.empty())
     throw UsageError("scene is required, or --diff; `racebeam trace --help` shows what it takes");

@@ -6,10 +6,14 @@
 
 #include <string>
 
+#include "tb/trace/signal_trace.h"
+
 namespace racebeam {
 
-/// Compares two dumps and prints their first difference. `shared_only`: signals that one of them
-/// has not are no difference. Returns the exit code. Throws UsageError: no dump, nothing shared.
-int report_diff(const std::string& a_path, const std::string& b_path, bool shared_only);
+/// Compares two dumps and prints their first difference. `selection` chooses the signals;
+/// `shared_only`: signals and times that one of them has not are no difference. Returns the exit
+/// code. Throws UsageError: no dump, nothing shared.
+int report_diff(const std::string& a_path, const std::string& b_path, bool shared_only,
+                const TraceSelection& selection);
 
 }  // namespace racebeam

@@ -32,6 +32,13 @@ bool TraceOptions::awaits_mismatch() const { return around == Mismatch; }
 bool TraceOptions::watches() const { return awaits_mismatch() || !when.empty() || record > 0; }
 bool TraceOptions::searches() const { return watches() || !around.empty(); }
 
+long long TraceOptions::lines_around() const { return lines.value_or(1); }
+
+bool TraceOptions::needs_run() const {
+  return !(from + to + output).empty() || searches() || lines || pre || post ||
+         level != LevelSignal || !assignments.empty() || !units.empty();
+}
+
 TraceSelection TraceOptions::selection() const {
   check_range("--depth", depth, 0, MostDepth);
   return {scopes, static_cast<int>(depth)};
@@ -77,9 +84,14 @@ void TraceOptions::check_search() const {
     throw unknown_name("trigger", around, triggers);
   if ((pre || post) && !searches())
     throw UsageError("--pre and --post are clocks around what --around, --when or --record finds");
-  if (pre && record > 0)
-    throw UsageError("--record says how many lines before the event are kept; leave out --pre");
-  check_range("--lines", lines, 0, FrameLines - 1);
+  if (lines && !searches())
+    throw UsageError("--lines are lines around what --around or --when finds");
+  if (lines && (pre || post))
+    throw UsageError("--lines and the clocks of --pre and --post are two windows; give one");
+  if ((lines || pre) && record > 0)
+    throw UsageError(
+        "--record says how many lines before the event are kept; leave out --pre and --lines");
+  check_range("--lines", lines_around(), 0, FrameLines - 1);
   check_range("--record", record, 0, MostFramesAround * FrameLines);
   if (!searches() && (from.empty() || to.empty()))
     throw UsageError(
@@ -97,19 +109,19 @@ TraceWindow TraceOptions::around_point(const TracePoint& point, const TraceWindo
                                        const Raster& raster) const {
   if (record > 0) return reader.around(point, record * raster.line_clocks() - 1, post.value_or(0));
   if (pre || post) return reader.around(point, pre.value_or(0), post.value_or(0));
-  return reader.around(point, lines);
+  return reader.around(point, lines_around());
 }
 
 long long TraceOptions::clocks_before(const Raster& raster) const {
   if (record > 0) return record * raster.line_clocks();
   const long long line = raster.line_clocks();
-  return pre || post ? std::max(pre.value_or(0), line) : (lines + 1) * line;
+  return pre || post ? std::max(pre.value_or(0), line) : (lines_around() + 1) * line;
 }
 
 long long TraceOptions::most_clocks(const Raster& raster) const {
   if (record > 0) return clocks_before(raster) + post.value_or(0);
   return pre || post ? pre.value_or(0) + post.value_or(0) + 1
-                     : (2 * lines + 1) * raster.line_clocks();
+                     : (2 * lines_around() + 1) * raster.line_clocks();
 }
 
 UsageError TraceOptions::nothing_found(const TraceWindow& where) const {

@@ -22,15 +22,18 @@ struct TraceOptions {
   std::string picture;                 ///< SVG
   std::string around;                  ///< a trigger, or empty
   std::string when;                    ///< a condition, or empty
-  long long lines = 1;                 ///< before and after it
+  std::optional<long long> lines;      ///< before and after it; 1
   std::optional<long long> pre, post;  ///< clocks before and after it instead
   long long record = 0;                ///< lines that a flight recorder keeps; 0: none
   std::vector<std::string> scopes;     ///< patterns of paths
   long long depth = 0;
   std::vector<std::string> assignments, units;
   std::vector<std::string> diff;  ///< two files to compare instead of a scene
-  bool shared = false;            ///< compare what both have
+  bool shared = false;            ///< --diff: compare what both have
 
+  /// Something says what a run of the chip is to do, or how it is written: it means nothing for
+  /// waveforms that are there already.
+  bool needs_run() const;
   /// Throws UsageError.
   TraceSelection selection() const;
   /// Throws UsageError unless a scene can be traced so, and MissingTool.
@@ -56,6 +59,7 @@ struct TraceOptions {
   void check_files() const;
   void check_level() const;
   void check_search() const;
+  long long lines_around() const;
 };
 
 }  // namespace racebeam
