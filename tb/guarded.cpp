@@ -24,9 +24,7 @@ int guarded(const std::function<int()>& work) {
     return ExitUsage;
   } catch (const OutputError& error) {
     tell(error.what());
-    tell(
-        "whole files are kept, nothing half-written is left; choose another place or free some "
-        "space");
+    tell("choose another place, or free some space");
     return ExitUsage;
   } catch (const MissingTool& error) {
     tell(error.what());

@@ -55,7 +55,13 @@ TEST_F(CliTraceRefusedTest, RefusesWhatItCannotWrite) {
   refused({"-o", "t.vcd"}, "scene is required");
   refused({"demo", "-o", "t.png"}, "ends with .vcd or .fst");
   refused({"demo", "-o", "t.vcd", "--scope", "chip.u_nothing"}, "no signal is under");
-  refused({"demo", "-o", "none/t.vcd"}, "cannot write none/t.vcd");
+  refused({"demo", "-o", "none/t.vcd"},
+          "cannot write none/t.vcd: No such file or directory\n"
+          "racebeam: choose another place, or free some space\n");
+  refused({"demo", "-o", "t.vcd", "--lines", "2"}, "--lines are lines around");
+  expect_refused({"demo", "-o", "t.vcd", "--around", "max-stack", "--lines", "2", "--pre", "3"},
+                 "are two windows");
+  expect_refused({"demo", "-o", "t.vcd", "--record", "2", "--lines", "3"}, "leave out --pre and");
   refused({"demo", "-o", "t.vcd", "--depth", "-1"}, "--depth -1 is out of range");
   refused({"demo", "-o", "t.vcd", "--use", "stakcs=rtl"}, "did you mean 'stacks'?");
   expect_refused({"--diff", "a.vcd", "b.vcd"}, "cannot read a.vcd");
