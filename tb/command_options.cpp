@@ -8,12 +8,11 @@
 
 namespace racebeam {
 
-namespace {
-
-const CLI::Validator NotEmpty(
-    [](const std::string& text) { return text.empty() ? "an empty name" : ""; }, "", "not empty");
-
-}  // namespace
+const CLI::Validator& not_empty() {
+  static const CLI::Validator validator(
+      [](const std::string& text) { return text.empty() ? "an empty name" : ""; }, "", "not empty");
+  return validator;
+}
 
 void add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* render = app.add_subcommand("render", "Render frames as files and statistics");
@@ -25,7 +24,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
     render->add_option(name, to, help)->type_name("N")->capture_default_str();
   };
   const auto file = [&](const char* name, std::string& to, const char* type, const char* help) {
-    render->add_option(name, to, help)->type_name(type)->check(NotEmpty);
+    render->add_option(name, to, help)->type_name(type)->check(not_empty());
   };
   number("--frames", options.frames, "Frames to render");
   number("--first", options.first, "First frame, 0..12798");
@@ -36,7 +35,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "
                    "wired at 50.4 MHz (default with --use); both give the same")
       ->type_name("LEVEL")
-      ->check(NotEmpty);
+      ->check(not_empty());
   render->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);
@@ -69,7 +68,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "trace2, trace4, geometry: render with this golden tracer instead of the chip; "
                    "compare: both, and why they differ")
       ->type_name("TRACER")
-      ->check(NotEmpty);
+      ->check(not_empty());
   render
       ->add_option("--overlay", options.overlays,
                    "slack, cost, depth: also maps of how early each pixel was known, what it cost, "
@@ -112,7 +111,7 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
       ->capture_default_str();
   verify->add_option("-o,--output", options.folder, "Folder for the waveforms of differences")
       ->type_name("DIR")
-      ->check(NotEmpty)
+      ->check(not_empty())
       ->capture_default_str();
   verify->add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
@@ -132,7 +131,7 @@ void add_scene(CLI::App& app, SceneOptions& options) {
       ->add_option("-o,--output", options.picture, "Picture")
       ->required()
       ->type_name("FILE.png")
-      ->check(NotEmpty);
+      ->check(not_empty());
   add("new", "Write a scene to start from");
   CLI::App* notes = scene->add_subcommand(
       "notes", "Counters of some frames, and why the chip does not show the ideal pictures");
@@ -142,7 +141,7 @@ void add_scene(CLI::App& app, SceneOptions& options) {
   notes->add_option("-o,--output", options.notes, "Markdown")
       ->required()
       ->type_name("FILE.md")
-      ->check(NotEmpty);
+      ->check(not_empty());
   notes->add_option("--frames", options.frames, "Frames of each scene, spread evenly over it")
       ->type_name("N")
       ->check(CLI::Range(1, 1000))
@@ -159,7 +158,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
                    "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
                    "own speed; tlm without --use")
       ->type_name("LEVEL")
-      ->check(NotEmpty);
+      ->check(not_empty());
   view->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);
@@ -168,7 +167,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
       ->allow_extra_args(false);
   view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
       ->type_name("DIR")
-      ->check(NotEmpty)
+      ->check(not_empty())
       ->capture_default_str();
   view->add_option("--keys", options.keys, "Keys to press, one after each picture: \"1 g t o\"")
       ->type_name("NAMES");
@@ -199,68 +198,6 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);
   explain->add_flag("--json", options.json, "JSON on stdout instead of the text");
-}
-
-void add_trace(CLI::App& app, TraceOptions& options) {
-  CLI::App* trace = app.add_subcommand(
-      "trace",
-      "Write the chip's signals or transactions as a waveform or a picture, or compare two");
-  trace
-      ->add_option("scene", options.scene,
-                   "demo, or a scene file; or a waveform FILE.vcd for --picture to draw")
-      ->type_name("SCENE");
-  const auto text = [&](const char* name, std::string& to, const char* type, const char* help) {
-    trace->add_option(name, to, help)->type_name(type)->check(NotEmpty);
-  };
-  const auto list = [&](const char* name, std::vector<std::string>& to, const char* type,
-                        const char* help) {
-    trace->add_option(name, to, help)->type_name(type)->allow_extra_args(false);
-  };
-  text("-o,--output", options.output, "FILE",
-       "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it, "
-       "and never replaces one that GTKWave saved");
-  trace
-      ->add_option("--level", options.level,
-                   "signal: units wired at 50.4 MHz; tlm: lines, intervals, rooms, restarts and "
-                   "display writes as transactions, small and fast enough for many frames")
-      ->type_name("LEVEL")
-      ->check(NotEmpty)
-      ->capture_default_str();
-  text("--picture", options.picture, "FILE.svg",
-       "Draw the window, for documents; of at most 400 clocks and 100 signals");
-  text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
-  text("--to", options.to, "FRAME:LINE[:CLOCK]", "Last clock; without CLOCK the line's last");
-  text(
-      "--around", options.around, "TRIGGER",
-      "first-starved, first-restart, max-stack, or mismatch (of units in lockstep) instead: looked "
-      "for from --from, 0, up to --to, the end of that frame");
-  text("--when", options.when, "CONDITION",
-       "The first clock in which it is true instead: 'u_subdivider.sd_q == 4 && line == 240'; "
-       "looked "
-       "for as --around is");
-  const auto number = [&](const char* name, auto& to, const char* help) {
-    return trace->add_option(name, to, help)->type_name("N");
-  };
-  number("--lines", options.lines, "Lines before and after the one of --around or --when")
-      ->default_str("1");
-  number("--pre", options.pre, "Clocks before it instead of lines");
-  number("--post", options.post, "Clocks after it instead of lines");
-  number("--record", options.record,
-         "Flight recorder: run from --from to --to, and write the last N lines only if something "
-         "happens: --when, a mismatch in lockstep, a crash, Ctrl-C");
-  list("--scope", options.scopes, "GLOB",
-       "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
-       "repeatable; with --diff, only these are compared");
-  trace->add_option("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
-      ->type_name("N")
-      ->capture_default_str();
-  list("--set", options.assignments, "KNOB=VALUE", "Set a knob (`racebeam knobs`); repeatable");
-  list("--use", options.units, "UNIT=IMPLEMENTATION",
-       "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
-  trace->add_option("--diff", options.diff, "Instead of a scene: compare two files")
-      ->type_name("A.vcd B.vcd")
-      ->expected(2);
-  trace->add_flag("--shared", options.shared, "With --diff: only the signals and the time that both files have");
 }
 
 }  // namespace racebeam

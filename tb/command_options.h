@@ -14,7 +14,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace racebeam {
 
@@ -26,5 +27,8 @@ void add_scene(CLI::App& app, SceneOptions& options);
 void add_view(CLI::App& app, ViewOptions& options);
 void add_explain(CLI::App& app, ExplainOptions& options);
 void add_trace(CLI::App& app, TraceOptions& options);
+
+/// Refuses an empty name.
+const CLI::Validator& not_empty();
 
 }  // namespace racebeam

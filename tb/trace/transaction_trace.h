@@ -1,8 +1,8 @@
 // TransactionTrace: what the `tlm` level does as transactions of a VCD, one signal for each stream.
 //
 // tlm.tracer.line      a scan line: from the tracer's first clock on it to the one in which the
-// FIFO
-//                      takes its last interval, or to the last but one of the line if it never does
+//                      FIFO takes its last interval, or to the last but one of the line if it never
+//                      does
 // tlm.tracer.interval  pixels, colour index, room and rooms entered: from the clock after the one
 //                      before was taken to the one in which the FIFO takes it; "not taken" is what
 //                      the line had no time for
