@@ -128,7 +128,7 @@ TEST_F(CliTraceAroundTest, TheWindowEndsWhereTheShowDoes) {
 // The run is copied while it looks for the event, and a copy goes on to the window.
 TEST_F(CliTraceAroundTest, AWindowOfACopyHasTheRegistersAndWiresOfTheCores) {
   const Wave wave = trace({"--when", "frame == 7223 && line == -100 && clock == 900", "--from",
-                           "7223:-273", "--pre", "321", "--post", "123"});
+                           "7223:-250", "--pre", "321", "--post", "123"});
   TracedChip chip({}, Crowded);
   expect_the_cores(wave, {{Crowded, -100, 579}, {Crowded, -100, 1023}}, chip);
 }
