@@ -73,7 +73,7 @@ void register_traces(const BenchOptions& options) {
   };
   add("trace: none", [](auto& run, auto end) { run.go_to(end); });
   add("trace: flight recorder", recorded);
-  add("trace: ports and wires", [](auto& run, auto end) { traced(run, end, true); });
+  add("trace: overview", [](auto& run, auto end) { traced(run, end, true); });
   add("trace: all signals", [](auto& run, auto end) { traced(run, end, false); });
   add("trace: a condition", asked);
 }
