@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ class CliTraceBench : public testing::Test {
     EXPECT_EQ(run.wait(), 0) << run.err();
     said = run.err();
     return Wave(folder / file);
+  }
+
+  /// What fst2vcd makes of an FST in the folder; back.vcd stays there.
+  Wave read_back(const std::string& fst) {
+    const std::string back = "fst2vcd " + (folder / fst) + " > " + (folder / "back.vcd");
+    EXPECT_EQ(std::system(back.c_str()), 0);
+    return Wave(folder / "back.vcd");
   }
 
   ScratchFolder folder;

@@ -6,15 +6,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <thread>
 
-#include "tests/program.h"
+#include "tests/cli_trace_bench.h"
 #include "tests/traced_chip.h"
 #include "tests/transaction_account.h"
-#include "tests/wave.h"
 
 namespace racebeam {
 namespace {
@@ -28,17 +26,12 @@ const char* const Paths[] = {"tlm.tracer.line",    "tlm.tracer.interval", "tlm.t
                              "tlm.tracer.restart", "tlm.display.shown",   "tlm.display.line",
                              "tlm.display.frame"};
 
-class CliTraceTlmTest : public testing::Test {
+class CliTraceTlmTest : public CliTraceBench {
  protected:
-  Wave trace(const std::string& level, const std::vector<std::string>& more,
+  Wave trace(const std::string& level, std::vector<std::string> more,
              const std::string& scene = "demo") {
-    const std::string file = level + ".vcd";
-    std::vector<std::string> arguments = {"trace", scene, "-o", file, "--level", level};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    Program run(folder.path(), arguments);
-    EXPECT_EQ(run.wait(), 0) << run.err();
-    said = run.err();
-    return Wave(folder / file);
+    more.insert(more.end(), {"--level", level});
+    return CliTraceBench::trace(more, level + ".vcd", scene);
   }
 
   /// Compares the window, both ends in it, with the cores.
@@ -62,9 +55,6 @@ class CliTraceTlmTest : public testing::Test {
           << path << " from " << from.text() << " to " << to.text();
     return account;
   }
-
-  ScratchFolder folder;
-  std::string said;
 };
 
 TEST_F(CliTraceTlmTest, TransactionsAreThoseOfTheCoresInRandomFrames) {
@@ -151,9 +141,7 @@ TEST_F(CliTraceTlmTest, AnFstHasTheChangesOfTheVcd) {
   Program fst(folder.path(), {"trace", "demo", "--level", "tlm", "-o", "t.fst", "--from", "60:0",
                               "--to", "60:20"});
   ASSERT_EQ(fst.wait(), 0) << fst.err();
-  const std::string back = "fst2vcd " + (folder / "t.fst") + " > " + (folder / "back.vcd");
-  ASSERT_EQ(std::system(back.c_str()), 0);
-  const Wave other(folder / "back.vcd");
+  const Wave other = read_back("t.fst");
   for (const auto& [path, signal] : vcd.signals)
     EXPECT_EQ(other[path].changes, signal.changes) << path;
 }

@@ -43,24 +43,27 @@ class RandomWindow : public CliTraceWindowsTest, public testing::WithParamInterf
            window.to.text();
   }
 
+  /// The window of a chip with these units, those in lockstep by their instances; its waveform.
+  Wave expect_the_chip(const std::string& units, const std::vector<std::string>& beside = {}) {
+    const Wave wave = trace_window(window, units, "t.vcd");
+    TracedChip chip({}, window.from.frame);
+    expect_the_cores(wave, window, chip, beside);
+    EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+    return wave;
+  }
+
   std::minstd_rand random = random_from(GetParam());
   const Window window = random_window(random, DemoFrames, LineClocks, GetParam() % 3 == 0);
 };
 
 TEST_P(RandomWindow, OfModelsHasTheRegistersAndWiresOfTheCoresInEveryClock) {
   SCOPED_TRACE(note());
-  const Wave wave = trace_window(window, "", "t.vcd");
-  TracedChip chip({}, window.from.frame);
-  expect_the_cores(wave, window, chip);
-  EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+  expect_the_chip("");
 }
 
 TEST_P(RandomWindow, OfRtlHasTheRegistersAndWiresOfTheCoresInEveryClock) {
   SCOPED_TRACE(note());
-  const Wave wave = trace_window(window, "all=rtl", "t.vcd");
-  TracedChip chip({}, window.from.frame);
-  expect_the_cores(wave, window, chip);
-  EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+  expect_the_chip("all=rtl");
 }
 
 TEST_P(RandomWindow, OfAMixHasTheRegistersAndWiresOfTheCoresInEveryClock) {
@@ -73,10 +76,7 @@ TEST_P(RandomWindow, OfAMixHasTheRegistersAndWiresOfTheCoresInEveryClock) {
     if (kind == 2) beside.push_back(instance_of(unit));
   }
   SCOPED_TRACE(note() + ", " + mix);
-  const Wave wave = trace_window(window, mix, "t.vcd");
-  TracedChip chip({}, window.from.frame);
-  expect_the_cores(wave, window, chip, beside);
-  EXPECT_GT(expect_ports_are_wires(wave), 2 * Wires);
+  const Wave wave = expect_the_chip(mix, beside);
   for (const std::string& unit : beside) EXPECT_GT(expect_both_sides(wave, "chip." + unit), 0);
 }
 
