@@ -128,7 +128,7 @@ TEST_F(CliViewTest, AWindowThatTheUserMadeLargerKeepsItsPixels) {
   EXPECT_TRUE(becomes(scaled({VisibleColumns + PanelWidth, VisibleRows}, 1.5)));
   server.key("t");
   EXPECT_TRUE(becomes({960, 720}));
-  XServer::xdotool("search --name '^racebeam' windowsize 1300 1000");
+  XServer::xdotool("search --name '^racebeam' windowmove 0 0 windowsize 1300 1000");
   EXPECT_TRUE(becomes({1300, 1000}));
   // Each pixel is two by two, in the middle of black.
   RgbImage expected(1300, 1000);
