@@ -154,8 +154,8 @@ void Viewer::explain() {
   std::string text = command;
   for (const IntervalEvent& event : watch.intervals())
     if (event.y == row + FirstVisibleLine && event.from < column && column <= event.to + 1)
-      text += fmt::format("\npixels {}..{}: {} {} deep, {}", event.from, event.to,
-                          counted(event.depth, "room"), event.wall ? "to a wall" : "given up",
+      text += fmt::format("\npixels {}..{}: {} entered, {}, {}", event.from, event.to,
+                          counted(event.depth, "room"), event.wall ? "a wall hit" : "given up",
                           counted(event.decisions, "decision"));
   say(text);
 }
