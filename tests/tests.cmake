@@ -214,10 +214,12 @@ endforeach()
 add_test(NAME area/ReadmeHasTheFigures COMMAND ${CMAKE_SOURCE_DIR}/scripts/area --check)
 set_tests_properties(area/ReadmeHasTheFigures PROPERTIES LABELS unit TIMEOUT 600)
 
-# What scripts/demo tells to try next
-add_test(NAME commands/NextAfterTheDemo COMMAND ${CMAKE_SOURCE_DIR}/tests/commands
+# The command lines that scripts/demo and the README tell
+add_test(NAME commands/NextAfterTheDemo COMMAND ${CMAKE_SOURCE_DIR}/tests/commands demo
                                                 ${CMAKE_BINARY_DIR})
 set_tests_properties(commands/NextAfterTheDemo PROPERTIES LABELS cli TIMEOUT 600)
+add_test(NAME commands/Readme COMMAND ${CMAKE_SOURCE_DIR}/tests/commands readme ${CMAKE_BINARY_DIR})
+set_tests_properties(commands/Readme PROPERTIES LABELS long TIMEOUT 3000)
 
 # Another project's RTL, with what cmake --install gives it
 add_test(NAME example/OwnRtl COMMAND ${CMAKE_SOURCE_DIR}/tests/example/run ${CMAKE_BINARY_DIR})
