@@ -75,6 +75,9 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
       ->type_name("MAP")
       ->allow_extra_args(false);
+  file("--against", options.against, "demo|FILE.csv",
+       "Compare picture and pins of each frame with checksums: demo, those of the taped-out chip, "
+       "or frame,image_crc32,pins_crc32 in a file");
   render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
   render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
 }

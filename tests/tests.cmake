@@ -166,6 +166,7 @@ foreach(
   stem
   ${WINDOW_TEST}
   cli
+  cli_against
   cli_explain
   cli_golden
   cli_gtkwave
@@ -200,6 +201,11 @@ target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)
 if(SDL2_FOUND)
   target_link_libraries(cli_view_test PRIVATE PkgConfig::OIIO)
 endif()
+
+# All frames of the demo are the taped-out chip's; two minutes
+add_test(NAME reference/AllFramesOfTheDemo COMMAND racebeam render demo --frames 12799 --jobs 2
+                                                   --against demo)
+set_tests_properties(reference/AllFramesOfTheDemo PROPERTIES LABELS long TIMEOUT 3600)
 
 # The museum of bugs: verify finds each as its row in tests/museum/README.md says
 file(GLOB MUSEUM CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/tests/museum tests/museum/*.patch)
