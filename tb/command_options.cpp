@@ -54,7 +54,9 @@ void add_render(CLI::App& app, RenderOptions& options) {
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");
-  file("--gif", options.gif, "FILE", "Animated GIF");
+  file("--gif", options.gif, "FILE",
+       "Animated GIF at the chip's speed, 60 frames/s; with --every, at most 0.2 s "
+       "a frame");
   number("--gif-scale", options.gif_scale, "Shrink the GIF N times in both axes, 1..8");
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
   file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
@@ -158,7 +160,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
       ->type_name("N");
   view->add_option("--level", options.level,
-                   "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
+                   "tlm: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
                    "own speed; tlm without --use")
       ->type_name("LEVEL")
       ->check(not_empty());
