@@ -110,7 +110,7 @@ void register_tlm_parts(const BenchOptions& options) {
 void register_verilated(int repeats) {
   const TtProject project = read_tt_project(rtl_folder());
   const auto chip = std::make_shared<TtChip>(make_chip_plugin(project.top, project.sources),
-                                             project.source_folder, 0, 0);
+                                             project.source_folder, TilePins{});
   chip->reset(1);
   set_up(benchmark::RegisterBenchmark("verilated: tt_um_racebeam",
                                       [chip](benchmark::State& state) {

@@ -14,6 +14,25 @@ const CLI::Validator& not_empty() {
   return validator;
 }
 
+void add_tt_options(CLI::App& command, TtOptions& options) {
+  command
+      .add_option("--tt", options.project,
+                  "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) "
+                  "and run it")
+      ->type_name("DIR")
+      ->check(not_empty());
+  command.add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  command.add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  command
+      .add_option("--inputs", options.inputs,
+                  "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
+                  "writes them: frame,line,clock,ui,uio")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
+}
+
 void add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* render = app.add_subcommand("render", "Render frames as files and statistics");
   render
@@ -45,12 +64,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "UNIT may be all; several with commas; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
-  file("--tt", options.project, "DIR",
-       "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) and run it");
-  render->add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
-      ->type_name("N");
-  render->add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
-      ->type_name("N");
+  add_tt_options(*render, options);
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");

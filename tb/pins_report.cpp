@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tb/counted.h"
 
@@ -47,9 +48,9 @@ std::uint64_t uo_toggles(const PinStats& stats) {
 
 }  // namespace
 
-PinsReport::PinsReport(const TtProject& project, int ui, int uio, const FoundFrames& found,
+PinsReport::PinsReport(const TtProject& project, TtInputs inputs, const FoundFrames& found,
                        bool crc)
-    : project_(project), ui_(ui), uio_(uio), found_(found), crc_(crc) {}
+    : project_(project), inputs_(std::move(inputs)), found_(found), crc_(crc) {}
 
 void PinsReport::add(int frame, const TtBench::Frame& seen) {
   Json json = {{"frame", frame}};
@@ -68,8 +69,9 @@ std::string PinsReport::text(const std::string& against) const {
                      {"top_module", project_.top},
                      {"hash", project_.hash},
                      {"clock_hz", project_.clock_hz},
-                     {"ui_in", ui_},
-                     {"uio_in", uio_}};
+                     {"ui_in", inputs_.start().ui},
+                     {"uio_in", inputs_.start().uio},
+                     {"input_changes", inputs_.changes().size()}};
   const Json syncs = {{"clocks_per_pixel", project_.clocks_per_pixel},
                       {"hsync",
                        {{"period_clocks", raster.line_clocks()},

@@ -14,8 +14,8 @@ namespace racebeam {
 
 class PinsReport {
  public:
-  /// `ui` and `uio` are the chip's inputs; with CRCs if `crc`.
-  PinsReport(const TtProject& project, int ui, int uio, const FoundFrames& found, bool crc);
+  /// With CRCs if `crc`.
+  PinsReport(const TtProject& project, TtInputs inputs, const FoundFrames& found, bool crc);
 
   /// Adds a whole frame.
   void add(int frame, const TtBench::Frame& seen);
@@ -34,7 +34,7 @@ class PinsReport {
 
  private:
   const TtProject project_;
-  const int ui_, uio_;
+  const TtInputs inputs_;
   const FoundFrames found_;
   const bool crc_;
   std::vector<std::string> frames_;  // JSON texts

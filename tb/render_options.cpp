@@ -224,8 +224,7 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
 RenderPlan plan_render(const RenderOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
-  if (options.ui || options.uio)
-    throw UsageError("--ui and --uio set pins of a chip that --tt names; a scene has --set");
+  refuse_tt_options(options);
   const Show show = open_show(options.scene);
   RenderPlan plan{plan_output(options, show.frames()),
                   options.scene,

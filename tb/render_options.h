@@ -15,6 +15,7 @@
 #include "tb/manifest.h"
 #include "tb/reference_frames.h"
 #include "tb/show.h"
+#include "tb/tt_options.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -24,7 +25,7 @@ constexpr const char* LevelTlm = "tlm";
 constexpr const char* LevelSignal = "signal";
 
 /// The command line as it was written. An empty path: not asked for.
-struct RenderOptions {
+struct RenderOptions : TtOptions {
   std::string scene;
   std::string level;  ///< empty: signal with units, else tlm
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
@@ -34,8 +35,6 @@ struct RenderOptions {
   std::string vcd;                    ///< waveform
   std::vector<std::string> overlays;  ///< names of maps
   std::string golden;                 ///< a golden tracer, "compare", or empty
-  std::string project;                ///< Tiny Tapeout project folder, instead of a scene
-  std::optional<long long> ui, uio;   ///< input pins of that project's chip
   std::string against;                ///< a reference to compare with, or empty
   bool crc = false, json = false;
   std::vector<std::string> command;  ///< for the manifest

@@ -24,33 +24,21 @@ constexpr int MaxFrames = 1'000'000;  // to the end of the last one
 
 struct TtPlan : OutputPlan {
   TtProject project;
-  int ui, uio;
+  TtInputs inputs;
 };
 
 void refuse_scene_options(const RenderOptions& options) {
-  const auto refuse = [](bool given, const char* what) {
-    if (given) throw UsageError(std::string("--tt runs a chip of its own; leave out ") + what);
-  };
-  refuse(!options.scene.empty(), "the scene, or --tt");
-  refuse(!options.assignments.empty(), "--set, or --tt");
-  refuse(!options.units.empty(), "--use, or --tt");
-  refuse(!options.golden.empty(), "--golden, or --tt");
-  refuse(!options.level.empty(), "--level, or --tt");
-  refuse(options.jobs > 1, "--jobs: it runs on from its reset");
-}
-
-int input_pins(const char* option, const std::optional<long long>& value) {
-  if (value && (*value < 0 || *value > 255))
-    throw UsageError(fmt::format("{} {} is out of range; eight pins: 0..255", option, *value));
-  return static_cast<int>(value.value_or(0));
+  refuse_with_tt(!options.scene.empty(), "the scene, or --tt");
+  refuse_with_tt(!options.assignments.empty(), "--set, or --tt");
+  refuse_with_tt(!options.units.empty(), "--use, or --tt");
+  refuse_with_tt(!options.golden.empty(), "--golden, or --tt");
+  refuse_with_tt(!options.level.empty(), "--level, or --tt");
+  refuse_with_tt(options.jobs > 1, "--jobs: it runs on from its reset");
 }
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
-  TtPlan plan{plan_output(options, MaxFrames),
-              {},
-              input_pins("--ui", options.ui),
-              input_pins("--uio", options.uio)};
+  TtPlan plan{plan_output(options, MaxFrames), {}, tt_inputs(options)};
   if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MaxFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
                                  MaxFrames - 1));
@@ -91,12 +79,11 @@ void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsR
 int render_tt(const RenderOptions& options) {
   const TtPlan plan = plan_tt(options);
   catch_interrupts();
-  TtChip chip(make_chip_plugin(plan.project.top, plan.project.sources), plan.project.source_folder,
-              plan.ui, plan.uio);
+  TtRun run(plan.project, make_chip_plugin(plan.project.top, plan.project.sources), plan.inputs);
   RenderFiles files(plan, manifest_of(plan));
-  TtBench bench(chip, plan.project, plan.checksums(), !plan.wav.empty(), plan.first);
+  TtBench bench(run, plan.checksums(), plan.wav.empty() ? 0 : plan.project.clock_hz, plan.first);
   Against against(plan.against);
-  PinsReport report(plan.project, plan.ui, plan.uio, bench.found(), plan.crc);
+  PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
   files.run([&] { render_frames(plan, bench, files, report, against); }, bench.sound(),
             [&] { return report.text(against.json()); });
   print(plan.json ? report.text(against.json()) : report.table_pins());

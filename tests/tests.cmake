@@ -184,6 +184,7 @@ foreach(
   cli_trace_tlm
   cli_trace_windows
   cli_tt
+  cli_tt_inputs
   cli_verify
   cli_view_term)
   add_racebeam_test(${stem} cli nlohmann_json::nlohmann_json GTest::gmock)
@@ -195,6 +196,7 @@ endforeach()
 target_link_libraries(cli_gtkwave_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_picture_test PRIVATE LibXml2::LibXml2)
 target_link_libraries(cli_tt_test PRIVATE PkgConfig::OIIO)
+target_link_libraries(cli_tt_inputs_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_overlay_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_event_test PRIVATE racebeam_trace)
 target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)
