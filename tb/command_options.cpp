@@ -51,6 +51,20 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->type_name("N");
   render->add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
       ->type_name("N");
+  render
+      ->add_option("--clock-hz", options.tt.clock_hz,
+                   "The clock of the chip of --tt, instead of clock_hz of info.yaml")
+      ->type_name("N");
+  render->add_option("--define", options.tt.defines, "Define a macro for --tt; repeatable")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  render
+      ->add_option("-I,--include", options.tt.include_folders,
+                   "Look for includes of --tt here, before its own folders; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  render->add_flag("--trust", options.tt.trust,
+                   "Let the RTL of --tt run commands and read and write any file");
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");

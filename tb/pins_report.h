@@ -21,9 +21,9 @@ class PinsReport {
   void add(int frame, const TtBench::Frame& seen);
   int frames() const { return static_cast<int>(frames_.size()); }
 
-  /// The whole document; one line per frame. The periods hold for every frame: the monitor checks
-  /// each clock.
-  std::string text() const;
+  /// The whole document; one line per frame. The periods hold for every frame but in the clocks of
+  /// `faults`: the monitor checks each clock.
+  std::string text(const VgaFaults& faults) const;
 
   /// What was found about the syncs, and the titles of the rows.
   std::string table_header() const;

@@ -213,6 +213,9 @@ RenderPlan plan_render(const RenderOptions& options) {
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
   if (options.ui || options.uio)
     throw UsageError("--ui and --uio set pins of a chip that --tt names; a scene has --set");
+  const TtOptions& tt = options.tt;
+  if (tt.clock_hz || !tt.defines.empty() || !tt.include_folders.empty() || tt.trust)
+    throw UsageError("--clock-hz, --define, --include and --trust are about the project of --tt");
   const Show show = open_show(options.scene);
   RenderPlan plan{plan_output(options, show.frames()),
                   options.scene,

@@ -13,6 +13,7 @@
 #include "tb/golden/golden_picture.h"
 #include "tb/manifest.h"
 #include "tb/show.h"
+#include "tb/tt_project.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -34,6 +35,7 @@ struct RenderOptions {
   std::string golden;                 ///< a golden tracer, "compare", or empty
   std::string project;                ///< Tiny Tapeout project folder, instead of a scene
   std::optional<long long> ui, uio;   ///< input pins of that project's chip
+  TtOptions tt;                       ///< how its project is read
   bool crc = false, json = false;
   std::vector<std::string> command;  ///< for the manifest
 };
@@ -46,6 +48,7 @@ struct OutputPlan {
   std::vector<std::string> command;
   std::vector<MapKind> overlays{};  ///< into the folder, for each frame
   std::string vcd{};                ///< of the chip's ports and wires, or empty
+  double frames_per_second = 60;    ///< of the chip
 };
 
 /// The chip of this project, or a golden tracer, and a show.

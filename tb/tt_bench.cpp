@@ -3,21 +3,23 @@
 #include "tb/tt_bench.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace racebeam {
 
 namespace {
 
 constexpr int ResetClocks = 10;
+constexpr std::uint64_t SearchStep = 105'000;  // clocks
 
 }  // namespace
 
 TtBench::TtBench(TtChip& chip, const TtProject& project, bool crc, bool sound, int first)
     : chip_(chip),
-      clocks_per_pixel_(project.clocks_per_pixel),
-      found_(find()),
-      vga_(found_.raster, [this](const VgaFrame& frame) { picture_ = frame; }, {crc, crc}),
-      sound_(sound ? new SoundMonitor(project.clock_hz) : nullptr),
+      found_(find(static_cast<double>(project.clock_hz))),
+      vga_(
+          found_.raster, [this](const VgaFrame& frame) { picture_ = frame; }, {crc, crc}, &faults_),
+      sound_(sound ? new SoundMonitor(std::llround(found_.clock_hz)) : nullptr),
       sound_begin_(found_.first + std::uint64_t(first) * found_.raster.frame_clocks()),
       next_(found_.first) {
   // The pins in the first clock of frame 0.
@@ -28,12 +30,11 @@ TtBench::TtBench(TtChip& chip, const TtProject& project, bool crc, bool sound, i
   changes_.front().clock = next_;
 }
 
-FoundFrames TtBench::find() {
+FoundFrames TtBench::find(double clock_hz) {
   chip_.reset(ResetClocks);
-  const int step = Raster(clocks_per_pixel_).frame_clocks() / 4;
   for (;;) {
-    chip_.run(step, changes_);
-    if (const auto found = find_frames(changes_, chip_.clock(), clocks_per_pixel_)) return *found;
+    chip_.run(SearchStep, changes_);
+    if (const auto found = find_frames(changes_, chip_.clock(), clock_hz)) return *found;
   }
 }
 

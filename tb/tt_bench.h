@@ -31,8 +31,10 @@ class TtBench {
   TtBench(TtChip& chip, const TtProject& project, bool crc, bool sound, int first);
 
   const FoundFrames& found() const { return found_; }
-  /// Simulates one frame. Throws SyncError.
+  /// Simulates one frame. Throws SyncError if the syncs are lost.
   Frame render();
+  /// What broke the mode so far.
+  const VgaFaults& faults() const { return faults_; }
   /// Clocks simulated so far.
   std::uint64_t clocks() const { return chip_.clock(); }
   /// What the sound pin played so far, half scale while the chip does not drive it; nullptr if not
@@ -42,14 +44,14 @@ class TtBench {
   bool has_sound_pin() const { return has_sound_pin_; }
 
  private:
-  FoundFrames find();
+  FoundFrames find(double clock_hz);
   void feed(const PinChange& pins);
 
   TtChip& chip_;
   std::vector<PinChange> changes_;  // that no monitor has seen
-  const int clocks_per_pixel_;
   const FoundFrames found_;
   VgaFrame picture_;
+  VgaFaults faults_;
   VgaMonitor vga_;
   PinCounter counter_;
   std::unique_ptr<SoundMonitor> sound_;
