@@ -64,7 +64,7 @@ int watch(const TraceOptions& options, const TraceWindowReader& reader, SignalBe
   std::optional<Condition> condition;
   if (!options.when.empty()) {
     bench.watch_registers();
-    condition.emplace(options.when, bench, raster);
+    condition.emplace(options.when, chip_signals(bench), raster);
   }
   const EventWatch watch{
       condition ? &*condition : nullptr, before,
@@ -101,7 +101,8 @@ int command_trace(const TraceOptions& options) {
   options.check(raster);
 
   const TraceWindowReader reader(show.frames(), raster);
-  const WindowWriter writer{show, options.output, options.picture, options.selection()};
+  const WindowWriter writer{show.name(), [&](int frame) { return show.part(frame); },
+                            options.output, options.picture, options.selection()};
   std::optional<TraceWindow> window;
   if (!options.watches()) window = window_of(options, reader, setting, raster);
   if (window && !options.picture.empty())

@@ -17,10 +17,11 @@ namespace racebeam {
 
 namespace {
 
-constexpr double LongestSearch = 0.1;                    // s: six frames of 60 Hz
-constexpr std::uint64_t UnknownClockSearch = 6'000'000;  // clocks
-constexpr int MaxSpeed = 7;                              // pins
-constexpr int MaxPicturePixels = 8;                      // that the picture may be early or late
+constexpr double LongestSearch = 0.1;             // s: six frames of 60 Hz
+constexpr std::uint64_t LeastSearch = 6'000'000;  // clocks
+constexpr double LongestSearch = 0.1;             // s: six frames of 60 Hz
+constexpr int MaxSpeed = 7;                       // pins
+constexpr int MaxPicturePixels = 8;               // that the picture may be early or late
 constexpr std::uint64_t LeastLine = 64, LeastLines = 100, MostFrame = 100'000'000;
 constexpr double ClockTolerance = 0.25;  // of a clock that is given
 constexpr double UnknownRate = 60;       // frames a second
@@ -52,7 +53,7 @@ bool regular(const SyncPulse& pulse) { return pulse.period >= LeastLine; }
 std::optional<Syncs> measure(const std::vector<PinChange>& changes, std::uint64_t clocks,
                              double clock_hz) {
   const bool enough =
-      clocks >= (clock_hz > 0 ? std::uint64_t(clock_hz * LongestSearch) : UnknownClockSearch);
+      clocks >= std::max(LeastSearch, static_cast<std::uint64_t>(clock_hz * LongestSearch));
   const auto hsync = usual_pulse(changes, PinHsync);
   const auto vsync = hsync ? last_pulse(changes, PinVsync, hsync->period) : std::nullopt;
   if (!(hsync && vsync) && !enough) return {};
@@ -175,7 +176,7 @@ int find_picture(const std::vector<PinChange>& changes, const Raster& raster,
 
 /// Mode, raster and clock.
 void find_mode(FoundFrames& found, const std::vector<PinChange>& changes, const Syncs& syncs,
-               double clock_hz) {
+               double clock_hz, bool sure) {
   const VideoMode* mode =
       find_video_mode({syncs.line(), static_cast<int>(syncs.hsync.length), syncs.lines(),
                        syncs.hsync.level, syncs.vsync.level, clock_hz});
@@ -197,19 +198,19 @@ void find_mode(FoundFrames& found, const std::vector<PinChange>& changes, const 
         double(syncs.line() - found.raster.active_begin) / found.raster.columns;
     found.known_mode = false;
   }
-  found.clock_assumed =
-      clock_hz <= 0 || (found.known_mode && std::abs(clock_hz / needed - 1) > ClockTolerance);
+  found.clock_assumed = clock_hz <= 0 || (!sure && found.known_mode &&
+                                          std::abs(clock_hz / needed - 1) > ClockTolerance);
   found.clock_hz = found.clock_assumed ? needed : clock_hz;
 }
 
 }  // namespace
 
 std::optional<FoundFrames> find_frames(const std::vector<PinChange>& changes, std::uint64_t clocks,
-                                       double clock_hz) {
+                                       double clock_hz, bool sure) {
   const auto syncs = measure(changes, clocks, clock_hz);
   if (!syncs) return {};
   FoundFrames found;
-  find_mode(found, changes, *syncs, clock_hz);
+  find_mode(found, changes, *syncs, clock_hz, sure);
   Raster& raster = found.raster;
   const auto line = static_cast<std::uint64_t>(raster.line_clocks());
   const auto frame = static_cast<std::uint64_t>(raster.frame_clocks());

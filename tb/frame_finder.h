@@ -35,10 +35,10 @@ struct FoundFrames {
   double frames_per_second() const { return clock_hz / raster.frame_clocks(); }
 };
 
-/// `changes` are those of the pins before `clocks`, from reset on; `clock_hz` 0: not known. Nothing
-/// found: it needs more clocks. Throws SyncError if there are no pulses after some frames, or none
-/// that make lines and frames.
+/// `changes` are those of the pins before `clocks`, from reset on; `clock_hz` 0: not known;
+/// `sure`: it holds, however little it fits. Nothing found: it needs more clocks. Throws SyncError
+/// if there are no pulses after some frames, or none that make lines and frames.
 std::optional<FoundFrames> find_frames(const std::vector<PinChange>& changes, std::uint64_t clocks,
-                                       double clock_hz);
+                                       double clock_hz, bool sure = false);
 
 }  // namespace racebeam

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tb/counted.h"
 
@@ -47,9 +48,9 @@ std::uint64_t uo_toggles(const PinStats& stats) {
 
 }  // namespace
 
-PinsReport::PinsReport(const TtProject& project, int ui, int uio, const FoundFrames& found,
+PinsReport::PinsReport(const TtProject& project, TtInputs inputs, const FoundFrames& found,
                        bool crc)
-    : project_(project), ui_(ui), uio_(uio), found_(found), crc_(crc) {}
+    : project_(project), inputs_(std::move(inputs)), found_(found), crc_(crc) {}
 
 void PinsReport::add(int frame, const TtBench::Frame& seen) {
   Json json = {{"frame", frame}};
@@ -62,15 +63,16 @@ void PinsReport::add(int frame, const TtBench::Frame& seen) {
   total_ += seen.stats;
 }
 
-std::string PinsReport::text(const VgaFaults& faults) const {
+std::string PinsReport::text(const VgaFaults& faults, const std::string& against) const {
   const Raster& raster = found_.raster;
   const Json chip = {{"folder", project_.folder},
                      {"top_module", project_.top},
                      {"hash", project_.hash},
                      {"clock_hz", std::llround(found_.clock_hz)},
                      {"clock_assumed", found_.clock_assumed},
-                     {"ui_in", ui_},
-                     {"uio_in", uio_}};
+                     {"ui_in", inputs_.start().ui},
+                     {"uio_in", inputs_.start().uio},
+                     {"input_changes", inputs_.changes().size()}};
   const Json syncs = {{"mode", found_.mode},
                       {"width", raster.columns},
                       {"height", raster.rows},
@@ -99,8 +101,9 @@ std::string PinsReport::text(const VgaFaults& faults) const {
   };
   return fmt::format(
       "{{\"schema\": \"racebeam-pins\", \"version\": 1,\n\"chip\": {},\n\"syncs\": {},\n"
-      "\"faults\": {},\n\"frames\": [{}],\n\"total\": {}}}\n",
-      dump(chip), dump(syncs), dump(broken), rows, dump(total));
+      "\"faults\": {},\n\"frames\": [{}],\n\"total\": {}{}}}\n",
+      dump(chip), dump(syncs), dump(broken), rows, dump(total),
+      against.empty() ? "" : ",\n\"against\": " + against);
 }
 
 std::string PinsReport::table_header() const {

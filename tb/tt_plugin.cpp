@@ -53,8 +53,7 @@ std::string shown(const std::string& file, const TtProject& project) {
                                shown(place.file, project), place.line, what));
 }
 
-void check_trust(const RtlSyntax& syntax, const RtlSources& sources, const TtProject& project,
-                 const TtOptions& options) {
+void check_trust(const RtlSyntax& syntax, const RtlSources& sources, const TtProject& project) {
   for (const RtlSyntax::Place& call : syntax.calls)
     refuse(call, project,
            call.name +
@@ -62,7 +61,7 @@ void check_trust(const RtlSyntax& syntax, const RtlSources& sources, const TtPro
                "files");
   const auto allowed = [&](const std::string& file) {
     return lies_in(file, project.folder) || file == sources.libraries[0] ||
-           std::any_of(options.include_folders.begin(), options.include_folders.end(),
+           std::any_of(project.trusted_folders.begin(), project.trusted_folders.end(),
                        [&](const std::string& folder) { return lies_in(file, folder); });
   };
   for (const std::string& file : syntax.files)
@@ -90,10 +89,10 @@ std::string hint(const TtProject& project) {
 
 }  // namespace
 
-std::string tt_plugin(const TtProject& project, const TtOptions& options) {
+std::string tt_plugin(const TtProject& project, bool trust) {
   const RtlSources sources = sources_of(project);
   try {
-    if (!options.trust) check_trust(read_rtl_syntax(sources), sources, project, options);
+    if (!trust) check_trust(read_rtl_syntax(sources), sources, project);
     return rtl_plugin(sources);
   } catch (const RtlError& error) {
     const std::string text = error.what(), more = hint(project);

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* TopPrefix = "tt_um_";
+constexpr long long LeastHz = 1'000'000;
 constexpr double MostHz = 1e9;
 
 /// info.yaml, and the errors that name its lines.
@@ -86,13 +87,14 @@ double hz_of(std::string text) {
   return good ? hz : -1;
 }
 
-void read_clock(const InfoFile& info, const TtOptions& options, TtProject& project) {
+void read_clock(const InfoFile& info, const TtReading& reading, TtProject& project) {
   constexpr const char* Key = "clock_hz";
-  if (options.clock_hz) {
-    if (*options.clock_hz < 1 || *options.clock_hz > static_cast<long long>(MostHz))
-      throw UsageError(fmt::format("--clock-hz {} is out of range; 1..{} Hz", *options.clock_hz,
-                                   static_cast<long long>(MostHz)));
-    project.clock_hz = static_cast<std::uint64_t>(*options.clock_hz);
+  if (reading.clock_hz) {
+    if (*reading.clock_hz < LeastHz || *reading.clock_hz > static_cast<long long>(MostHz))
+      throw UsageError(fmt::format("--clock-hz {} is out of range; {}..{} Hz", *reading.clock_hz,
+                                   LeastHz, static_cast<long long>(MostHz)));
+    project.clock_hz = static_cast<std::uint64_t>(*reading.clock_hz);
+    project.clock_sure = true;
     return;
   }
   const YAML::Node node = info.find(Key);
@@ -142,18 +144,19 @@ std::string hash_of(const std::vector<std::string>& files) {
 }
 
 /// Include folders and defines.
-void read_settings(const TtOptions& options, TtProject& project) {
+void read_settings(const TtReading& reading, TtProject& project) {
   const fs::path folder(project.folder);
   const TtSettings config = read_config_json((folder / "src/config.json").string());
   project.config_defines = config.defines;
   project.test_defines = read_test_defines((folder / "test/Makefile").string());
-  project.defines = options.defines;
+  project.defines = reading.defines;
   project.defines.insert(project.defines.end(), config.defines.begin(), config.defines.end());
   auto& folders = project.include_folders;
-  for (const std::string& name : options.include_folders) {
+  for (const std::string& name : reading.include_folders) {
     std::error_code error;
     if (!fs::is_directory(name, error)) throw UsageError("--include: there is no folder " + name);
     folders.push_back(name);
+    project.trusted_folders.push_back(name);
   }
   folders.insert(folders.end(), config.include_folders.begin(), config.include_folders.end());
   std::vector<std::string> found = {project.source_folder};
@@ -174,7 +177,7 @@ bool lies_in(const std::string& path, const std::string& folder) {
   return !error && !inner.empty() && *inner.begin() != "..";
 }
 
-TtProject read_tt_project(const std::string& folder, const TtOptions& options) {
+TtProject read_tt_project(const std::string& folder, const TtReading& reading) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw UsageError("there is no folder '" + folder + "'; --tt takes a Tiny Tapeout project");
@@ -185,9 +188,9 @@ TtProject read_tt_project(const std::string& folder, const TtOptions& options) {
   TtProject project;
   project.folder = folder;
   project.top = read_top(info);
-  read_sources(info, options.trust, project);
-  read_clock(info, options, project);
-  read_settings(options, project);
+  read_sources(info, reading.trust, project);
+  read_clock(info, reading, project);
+  read_settings(reading, project);
   project.hash = hash_of(project.sources);
   return project;
 }

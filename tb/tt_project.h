@@ -13,7 +13,7 @@
 namespace racebeam {
 
 /// What the user adds to what the folder says.
-struct TtOptions {
+struct TtReading {
   std::optional<long long> clock_hz;         ///< instead of that of info.yaml
   std::vector<std::string> defines;          ///< "NAME" or "NAME=VALUE"
   std::vector<std::string> include_folders;  ///< looked through first
@@ -30,12 +30,14 @@ struct TtProject {
   std::vector<std::string> config_defines;   ///< those of src/config.json
   std::vector<std::string> test_defines;     ///< of test/Makefile, which are not taken
   std::uint64_t clock_hz = 0;                ///< 0: not known
+  bool clock_sure = false;                   ///< the user has named it
+  std::vector<std::string> trusted_folders;  ///< include folders that the user named
   std::string hash;                          ///< of all sources
 };
 
-/// Reads info.yaml; sources lie in src/ or beside it, and in the folder unless `options.trust`.
+/// Reads info.yaml; sources lie in src/ or beside it, and in the folder unless `reading.trust`.
 /// Throws UsageError that names file and line, what is wrong and what to do.
-TtProject read_tt_project(const std::string& folder, const TtOptions& options = {});
+TtProject read_tt_project(const std::string& folder, const TtReading& reading = {});
 
 /// A path lies in a folder, links resolved.
 bool lies_in(const std::string& path, const std::string& folder);

@@ -190,12 +190,12 @@ TEST(FrameFinder, RefusesPinsWithoutPulses) {
 
 TEST(FrameFinder, NamesAPinThatLooksLikeHsync) {
   std::vector<PinChange> changes;
-  for (int line = 0; line < 6000; ++line) {  // on the pin of red
+  for (int line = 0; line < 7600; ++line) {  // on the pin of red
     changes.push_back({std::uint64_t(line) * 800, 1 << PinR1, 0, 0});
     changes.push_back({std::uint64_t(line) * 800 + 96, 0, 0, 0});
   }
   try {
-    find_frames(changes, 4'800'000, 25e6);
+    find_frames(changes, 6'000'000, 25e6);
     FAIL();
   } catch (const SyncError& error) {
     EXPECT_THAT(error.what(), HasSubstr("uo_out[0] has one every 800 clocks"));
@@ -204,13 +204,13 @@ TEST(FrameFinder, NamesAPinThatLooksLikeHsync) {
 
 TEST(FrameFinder, RefusesFramesThatAreNotWholeLines) {
   std::vector<PinChange> changes;
-  for (std::uint64_t clock = 0; clock < 3'000'000; clock += 4) {
+  for (std::uint64_t clock = 0; clock < 6'100'000; clock += 4) {
     const bool hsync = clock % 800 < 96, vsync = clock % 420'400 < 1600;
     const auto pins = static_cast<std::uint8_t>(hsync << PinHsync | vsync << PinVsync);
     if (changes.empty() || changes.back().uo != pins) changes.push_back({clock, pins, 0, 0});
   }
   EXPECT_FALSE(find_frames(changes, 2'000'000, 25e6));
-  EXPECT_THROW(find_frames(changes, 3'000'000, 25e6), SyncError);
+  EXPECT_THROW(find_frames(changes, 6'000'000, 25e6), SyncError);
 }
 
 /// A mode of the table: visible pixels first, as the counters of most chips have them.
