@@ -17,6 +17,7 @@ struct TtOptions {
   std::string project;               ///< project folder, instead of a scene; empty: there is none
   std::optional<long long> ui, uio;  ///< input pins from the reset on
   std::string inputs;                ///< file of inputs that change in time
+  TtReading reading;                 ///< how the project is read
 };
 
 /// Of --ui, --uio and --inputs. Throws UsageError.
