@@ -9,8 +9,8 @@
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
+#include "tb/open_tt.h"
 #include "tb/pins_report.h"
-#include "tb/plugin_maker.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
 #include "tb/tt_bench.h"
@@ -18,8 +18,6 @@
 namespace racebeam {
 
 namespace {
-
-constexpr int MaxFrames = 1'000'000;  // to the end of the last one
 
 struct TtPlan : OutputPlan {
   TtProject project;
@@ -37,11 +35,11 @@ void refuse_scene_options(const RenderOptions& options) {
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
-  TtPlan plan{plan_output(options, MaxFrames), {}, tt_inputs(options)};
-  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MaxFrames)
+  TtPlan plan{plan_output(options, MostTtFrames), {}, tt_inputs(options)};
+  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
-                                 MaxFrames - 1));
-  plan.project = read_tt_project(options.project);
+                                 MostTtFrames - 1));
+  plan.project = open_tt_project(options);
   return plan;
 }
 
@@ -76,7 +74,7 @@ void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsR
 int render_tt(const RenderOptions& options) {
   const TtPlan plan = plan_tt(options);
   catch_interrupts();
-  TtRun run(plan.project, make_chip_plugin(plan.project.top, plan.project.sources), plan.inputs);
+  TtRun run(plan.project, tt_plugin(plan.project, false), plan.inputs);
   RenderFiles files(plan, manifest_of(plan));
   TtBench bench(run, plan.crc, plan.wav.empty() ? 0 : plan.project.clock_hz, plan.first);
   PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);

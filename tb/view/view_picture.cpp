@@ -35,9 +35,9 @@ void paint_beam(RgbImage& picture, const FrameWatch& watch) {
   picture.fill(column - 5, row - 1, 11, 3, Beam);
 }
 
-void paint_help(RgbImage& picture) {
+void paint_help(RgbImage& picture, bool tile) {
   constexpr int Left = 150, Top = 66, Margin = 14, KeyLetters = 12, RowHeight = 15;
-  const auto& rows = ViewControl::help();
+  const auto& rows = ViewControl::help(tile);
   const int height = 2 * Margin + RowHeight * static_cast<int>(rows.size());
   picture.tint(Left, Top, VisibleColumns - 2 * Left, height, Shade, 0.88);
   int y = Top + Margin;
@@ -77,7 +77,7 @@ RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& 
   if (state.borders) paint_borders(picture, watch.intervals());
   if (state.beam) paint_beam(picture, watch);
   if (panel) paint_panel(picture, watch, k, state, words.statistics);
-  if (state.help) paint_help(picture);
+  if (state.help) paint_help(picture, state.inputs.has_value());
   if (!words.error.empty()) paint_error(picture, words.error);
   return picture;
 }

@@ -79,6 +79,7 @@ class Viewer {
 
  private:
   void act(ViewAction action);
+  void press_inputs();
   void look_for_news(double elapsed);
   void take_news(SceneWatch::News news);
   void set_stage(Stage stage, int frame);
