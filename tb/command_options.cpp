@@ -68,7 +68,9 @@ void add_render(CLI::App& app, RenderOptions& options) {
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");
-  file("--gif", options.gif, "FILE", "Animated GIF");
+  file("--gif", options.gif, "FILE",
+       "Animated GIF at the chip's speed, 60 frames/s; with --every, at most 0.2 s "
+       "a frame");
   number("--gif-scale", options.gif_scale, "Shrink the GIF N times in both axes, 1..8");
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
   file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
@@ -89,6 +91,9 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
       ->type_name("MAP")
       ->allow_extra_args(false);
+  file("--against", options.against, "demo|FILE.csv",
+       "Compare picture and pins of each frame with checksums: demo, those of the taped-out chip, "
+       "or frame,image_crc32,pins_crc32 in a file");
   render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
   render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
 }
@@ -169,7 +174,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
       ->type_name("N");
   view->add_option("--level", options.level,
-                   "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
+                   "tlm: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
                    "own speed; tlm without --use")
       ->type_name("LEVEL")
       ->check(not_empty());

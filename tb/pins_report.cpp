@@ -63,7 +63,7 @@ void PinsReport::add(int frame, const TtBench::Frame& seen) {
   total_ += seen.stats;
 }
 
-std::string PinsReport::text() const {
+std::string PinsReport::text(const std::string& against) const {
   const Raster& raster = found_.raster;
   const Json chip = {{"folder", project_.folder},
                      {"top_module", project_.top},
@@ -92,8 +92,9 @@ std::string PinsReport::text() const {
   };
   return fmt::format(
       "{{\"schema\": \"racebeam-pins\", \"version\": 1,\n\"chip\": {},\n\"syncs\": {},\n"
-      "\"frames\": [{}],\n\"total\": {}}}\n",
-      dump(chip), dump(syncs), rows, dump(total));
+      "\"frames\": [{}],\n\"total\": {}{}}}\n",
+      dump(chip), dump(syncs), rows, dump(total),
+      against.empty() ? "" : ",\n\"against\": " + against);
 }
 
 std::string PinsReport::table_header() const {

@@ -21,9 +21,10 @@ class PinsReport {
   void add(int frame, const TtBench::Frame& seen);
   int frames() const { return static_cast<int>(frames_.size()); }
 
-  /// The whole document; one line per frame. The periods hold for every frame: the monitor checks
+  /// The whole document; one line per frame. `against`: the comparison with a reference as JSON, if
+  /// there was one. The periods hold for every frame: the monitor checks
   /// each clock.
-  std::string text() const;
+  std::string text(const std::string& against = "") const;
 
   /// What was found about the syncs, and the titles of the rows.
   std::string table_header() const;

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "tb/against.h"
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
@@ -52,7 +53,8 @@ Manifest manifest_of(const TtPlan& plan) {
 }
 
 // Simulates all frames up to the last and keeps the planned ones; ends early when interrupted.
-void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsReport& report) {
+void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsReport& report,
+                   Against& against) {
   const int last = plan.first + (plan.frames - 1) * plan.every;
   Progress progress(last + 1);
   progress.draw(0, 0);
@@ -62,6 +64,7 @@ void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsR
     if (number >= plan.first && (number - plan.first) % plan.every == 0) {
       files.add(number, plan.project.top, frame.picture);
       report.add(number, frame);
+      against.add(number, frame.picture);
       progress.clear();
       if (!plan.json) print(report.table_row(number, frame));
     }
@@ -76,16 +79,18 @@ int render_tt(const RenderOptions& options) {
   catch_interrupts();
   TtRun run(plan.project, tt_plugin(plan.project, false), plan.inputs);
   RenderFiles files(plan, manifest_of(plan));
-  TtBench bench(run, plan.crc, plan.wav.empty() ? 0 : plan.project.clock_hz, plan.first);
+  TtBench bench(run, plan.checksums(), plan.wav.empty() ? 0 : plan.project.clock_hz, plan.first);
+  Against against(plan.against);
   PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
-  files.run([&] { render_frames(plan, bench, files, report); }, bench.sound(),
-            [&] { return report.text(); });
-  print(plan.json ? report.text() : report.table_pins());
+  files.run([&] { render_frames(plan, bench, files, report, against); }, bench.sound(),
+            [&] { return report.text(against.json()); });
+  print(plan.json ? report.text(against.json()) : report.table_pins());
+  const bool differs = against.report(plan.json);
   if (bench.sound() && !bench.has_sound_pin())
     tell("uio_oe[7] was never 1: the chip has no sound pin, and the sound is silence");
   const bool whole = report.frames() == plan.frames;
-  tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
-  return whole ? ExitGood : ExitInterrupted;
+  if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;
 }
 
 }  // namespace racebeam

@@ -68,7 +68,7 @@ int Viewer::clocks(int count) {
   ++frames_shown_;
   if (since_frame_ > 1e-3) rate_ += (1 / since_frame_ - rate_) * (rate_ > 0 ? 0.1 : 1);
   since_frame_ = 0;
-  recorder_.add(source.watch().screen().colours());
+  recorder_.add(source.watch().screen().colours(), std::exchange(passed_, 1));
   return done;
 }
 
@@ -121,7 +121,7 @@ void Viewer::toggle_recording() {
     return;
   }
   recorder_.start(watch.frame());
-  if (watch.whole()) recorder_.add(watch.screen().colours());
+  if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
 }
 
 std::string Viewer::end() { return recorder_.recording() ? recorder_.stop() : ""; }
@@ -173,6 +173,7 @@ void Viewer::show_frames(int frames) {
       samples_.insert(samples_.end(), more.begin(), more.end());
     }
   sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();
+  passed_ = frames;
   clocks(stage_.source->clocks_left());
 }
 
