@@ -8,8 +8,8 @@ namespace racebeam {
 
 TtProject open_tt_project(const TtOptions& options) { return read_tt_project(options.project); }
 
-std::string tt_plugin(const TtProject& project, bool) {
-  return make_chip_plugin(project.top, project.sources);
+std::string tt_plugin(const TtProject& project, bool signals) {
+  return make_chip_plugin(project.top, project.sources, signals);
 }
 
 }  // namespace racebeam

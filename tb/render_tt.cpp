@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "tb/against.h"
 #include "tb/console.h"
@@ -14,6 +15,7 @@
 #include "tb/pins_report.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
+#include "tb/trace/tile_wave.h"
 #include "tb/tt_bench.h"
 
 namespace racebeam {
@@ -40,6 +42,9 @@ TtPlan plan_tt(const RenderOptions& options) {
   if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
                                  MostTtFrames - 1));
+  if (!plan.vcd.empty()) check_waveform_name(plan.vcd);
+  if (!plan.vcd.empty() && plan.every != 1)
+    throw UsageError("--vcd needs consecutive frames; leave out --every, or --vcd");
   plan.project = open_tt_project(options);
   return plan;
 }
@@ -79,11 +84,14 @@ int render_tt(const RenderOptions& options) {
   catch_interrupts();
   TtRun run(plan.project, tt_plugin(plan.project, false), plan.inputs);
   RenderFiles files(plan, manifest_of(plan));
+  std::optional<TileWave> wave;
+  if (!plan.vcd.empty()) wave.emplace(run, plan.project.top, plan.first, plan.vcd);
   TtBench bench(run, plan.checksums(), plan.wav.empty() ? 0 : plan.project.clock_hz, plan.first);
   Against against(plan.against);
   PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
   files.run([&] { render_frames(plan, bench, files, report, against); }, bench.sound(),
             [&] { return report.text(against.json()); });
+  if (wave) wave->commit();
   print(plan.json ? report.text(against.json()) : report.table_pins());
   const bool differs = against.report(plan.json);
   if (bench.sound() && !bench.has_sound_pin())

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -36,28 +37,42 @@ ChipSignal signal_of(const rtl_port& port, bool is_pin) {
 }  // namespace
 
 TileRun::TileRun(TtRun& run)
-    : run_(run), period_ps_(static_cast<int>(std::lround(PicosecondsPerSecond / run.clock_hz()))) {
-  restart();
-}
+    : run_(run), period_ps_(static_cast<int>(std::lround(PicosecondsPerSecond / run.clock_hz()))) {}
 
 void TileRun::restart() {
-  look_ = {};
-  run_.each_clock({});
-  if (run_.clock() > since_reset(0)) run_.restart();
-  go_to(0);
+  each_clock({});
+  run_.restart();
 }
 
+// A pin is as the chip's logic sees it: behind the register of the inputs.
 std::vector<ChipSignal> TileRun::signals(bool registers) {
+  run_.stand();
   const rtl_model& model = run_.chip().model();
+  std::set<std::string> pins;
+  for (int n = 0; n < model.port_count; ++n) pins.insert(model.ports[n].name);
+  std::map<std::string, ChipSignal> by_name;
+  for (int n = 0; n < model.signal_count; ++n) {
+    const std::string name = model.signals[n].name;
+    const bool is_pin = pins.count(name) > 0;
+    if (model.signals[n].bits <= WidestSignal && (registers || is_pin))
+      by_name.emplace(name, signal_of(model.signals[n], is_pin));
+  }
+  for (int n = 0; n < model.port_count; ++n) {
+    ChipSignal signal = signal_of(model.ports[n], true);
+    if (signal.name == "ui_in") signal.inner = [this] { return seen_inputs().ui; };
+    if (signal.name == "uio_in") signal.inner = [this] { return seen_inputs().uio; };
+    by_name.emplace(signal.name, std::move(signal));
+  }
   std::vector<ChipSignal> all;
-  std::set<std::string> known;
-  const auto add = [&](const rtl_port& port, bool is_pin) {
-    if (port.bits <= WidestSignal && known.insert(port.name).second)
-      all.push_back(signal_of(port, is_pin));
-  };
-  for (int n = 0; n < model.port_count; ++n) add(model.ports[n], true);
-  for (int n = 0; registers && n < model.signal_count; ++n) add(model.signals[n], false);
+  for (const bool is_pin : {true, false})
+    for (auto& [name, signal] : by_name)
+      if (signal.is_pin == is_pin) all.push_back(signal);
   return all;
+}
+
+TilePins TileRun::seen_inputs() const {
+  const std::uint64_t clock = run_.chip().clock();
+  return run_.pins_at(clock > 0 ? clock - 1 : 0);
 }
 
 bool TileRun::go_to(std::int64_t clock) {

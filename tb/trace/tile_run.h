@@ -14,22 +14,23 @@ namespace racebeam {
 
 class TileRun : public ClockedRun {
  public:
-  /// Stands before frame 0. `run` outlives it, and its plug-in lets signals be read.
+  /// `run` outlives it. Its plug-in lets signals be read, or there are the pins alone.
   explicit TileRun(TtRun& run);
 
   const Raster& raster() const override { return run_.found().raster; }
   int period_ps() const override { return period_ps_; }
-  /// Those that are wider than 64 bits are left out.
+  /// Those that are wider than 64 bits are left out. To be asked for before each_clock().
   std::vector<ChipSignal> signals(bool registers) override;
   const char* left_out() const override { return "the chip's pins and the beam alone"; }
 
   bool go_to(std::int64_t clock) override;
   void each_clock(std::function<void(std::int64_t)> look) override;
   void settle() override;
-  /// Stands before frame 0 again, without each_clock().
+  /// Stands at the reset again, without each_clock(); what signals() gave is gone.
   void restart();
 
  private:
+  TilePins seen_inputs() const;
   std::uint64_t since_reset(std::int64_t clock) const {
     return run_.found().first + static_cast<std::uint64_t>(clock);
   }

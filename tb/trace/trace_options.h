@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "tb/errors.h"
+#include "tb/tt_options.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
 
 namespace racebeam {
 
 /// The command line as it was written.
-struct TraceOptions {
+struct TraceOptions : TtOptions {
   std::string scene;  ///< or a waveform to draw
   std::string output, from, to;
   std::string level = "signal";        ///< or "tlm": transactions
