@@ -26,6 +26,20 @@ void add_tt_options(CLI::App& command, TtOptions& options) {
   command.add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
       ->type_name("N");
   command
+      .add_option("--clock-hz", options.reading.clock_hz,
+                  "The clock of the chip of --tt, instead of clock_hz of info.yaml")
+      ->type_name("N");
+  command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command
+      .add_option("-I,--include", options.reading.include_folders,
+                  "Look for includes of --tt here, before its own folders; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  command.add_flag("--trust", options.reading.trust,
+                   "Let the RTL of --tt run commands and read and write any file");
+  command
       .add_option("--inputs", options.inputs,
                   "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
                   "writes them: frame,line,clock,ui,uio")

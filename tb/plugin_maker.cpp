@@ -97,9 +97,8 @@ std::string PluginMaker::users(const std::string& unit, const std::string& file)
   return rtl_plugin(sources);
 }
 
-std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
-                             bool signals) {
-  return rtl_plugin({top, sources, {}, {}, {}, {}, RtlSources::Chip, signals});
+std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources) {
+  return rtl_plugin({top, sources, {}, {}, {}, {}, RtlSources::Chip, false});
 }
 
 }  // namespace racebeam

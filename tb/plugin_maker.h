@@ -43,9 +43,7 @@ class PluginMaker {
   bool traced_;
 };
 
-/// The plug-in of a whole chip with registered inputs; `signals`: those inside can be read. Throws
-/// as PluginMaker::own().
-std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources,
-                             bool signals = false);
+/// The plug-in of a whole chip with registered inputs. Throws as PluginMaker::own().
+std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources);
 
 }  // namespace racebeam

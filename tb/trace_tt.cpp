@@ -8,12 +8,12 @@
 
 #include "tb/console.h"
 #include "tb/interrupt.h"
-#include "tb/open_tt.h"
 #include "tb/render_options.h"
 #include "tb/trace/clocked_waves.h"
 #include "tb/trace/condition.h"
 #include "tb/trace/tile_run.h"
 #include "tb/trace/window_writer.h"
+#include "tb/tt_plugin.h"
 
 namespace racebeam {
 
@@ -56,8 +56,8 @@ int trace_tt(const TraceOptions& options) {
   refuse_scene_options(options);
   const TtInputs inputs = tt_inputs(options);
   catch_interrupts();
-  const TtProject project = open_tt_project(options);
-  TtRun chip(project, tt_plugin(project, true), inputs);
+  const TtProject project = read_tt_project(options.project, options.reading);
+  TtRun chip(project, tt_plugin(project, options.reading.trust, true), inputs);
   TileRun run(chip);
   const Raster& raster = run.raster();
   options.check(raster);

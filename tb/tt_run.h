@@ -28,7 +28,7 @@ class TtRun {
   TtRun(const TtProject& project, const std::string& plugin, TtInputs inputs);
 
   const FoundFrames& found() const { return found_; }
-  double clock_hz() const { return static_cast<double>(project_.clock_hz); }
+  double clock_hz() const { return found_.clock_hz; }
   /// The clock it stands before, since reset.
   std::uint64_t clock() const { return clock_; }
   /// Stands at the reset again.

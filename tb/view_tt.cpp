@@ -10,8 +10,8 @@
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
-#include "tb/open_tt.h"
 #include "tb/output_file.h"
+#include "tb/tt_plugin.h"
 #include "tb/view/tt_source.h"
 #include "tb/view_setting.h"
 
@@ -44,8 +44,8 @@ int view_tt(const ViewOptions& options) {
   const int sound_pin = sound_pin_of(options);
   const TtInputs inputs = tt_inputs(options);
   catch_interrupts();
-  const TtProject project = open_tt_project(options);
-  TtRun run(project, tt_plugin(project, false), inputs);
+  const TtProject project = read_tt_project(options.project, options.reading);
+  TtRun run(project, tt_plugin(project, options.reading.trust), inputs);
   auto screen = open_screen(options);
   Viewer viewer({Show::of_tile(project.top, project.hash, MostTtFrames), knobs{},
                  std::make_unique<TtSource>(run, sound_pin)},

@@ -26,7 +26,6 @@ class TtSourceTest : public testing::Test {
     for (const char* name : {"/tt_um_paddle.sv", "/paddle_beam.sv"})
       project.sources.push_back(project.source_folder + name);
     project.clock_hz = 25'200'000;
-    project.clocks_per_pixel = 1;
     RtlSources sources;
     sources.top = project.top;
     sources.files = project.sources;
@@ -37,7 +36,7 @@ class TtSourceTest : public testing::Test {
   /// What the bench of `render` draws.
   std::vector<Colours> rendered(int frames, const TtInputs& inputs) const {
     TtRun run = run_of(inputs);
-    TtBench bench(run, false, 0, 0);
+    TtBench bench(run, {}, false, 0);
     std::vector<Colours> all;
     for (int i = 0; i < frames; ++i) all.push_back(bench.render().picture.colours);
     return all;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "tb/errors.h"
-#include "tb/tt_options.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
+#include "tb/tt_options.h"
 
 namespace racebeam {
 

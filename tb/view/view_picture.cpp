@@ -27,10 +27,11 @@ void paint_borders(RgbImage& picture, const std::vector<IntervalEvent>& interval
 // Its line, faint, and the beam itself; nothing in the blanked lines.
 void paint_beam(RgbImage& picture, const FrameWatch& watch) {
   const BeamScreen& screen = watch.screen();
-  const int row = screen.y() - FirstVisibleLine;
-  if (watch.whole() || row < 0 || row >= VisibleRows) return;
+  const Raster& raster = watch.raster();
+  const int row = screen.y() - raster.first_visible_line;
+  if (watch.whole() || row < 0 || row >= raster.rows) return;
   const int column = watch.raster().column_at[screen.clock_of_line()];
-  picture.tint(0, row, VisibleColumns, 1, Beam, 0.6);
+  picture.tint(0, row, raster.columns, 1, Beam, 0.6);
   picture.fill(column - 1, row - 5, 3, 11, Beam);
   picture.fill(column - 5, row - 1, 11, 3, Beam);
 }
@@ -67,9 +68,9 @@ void paint_error(RgbImage& picture, const std::string& error) {
 RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
                       const ViewWords& words) {
   const bool panel = state.gauges || state.text;
-  RgbImage picture(watch.screen().colours(), VisibleColumns, VisibleRows,
-                   VisibleColumns + (panel ? PanelWidth : 0),
-                   VisibleRows + (state.map ? MapBarHeight : 0));
+  const int columns = watch.raster().columns, rows = watch.raster().rows;
+  RgbImage picture(watch.screen().colours(), columns, rows, columns + (panel ? PanelWidth : 0),
+                   rows + (state.map ? MapBarHeight : 0));
   if (state.map) {
     paint_map(picture, make_map(*state.map, watch.intervals(), watch.raster()), !watch.whole());
     paint_bar(picture, VisibleRows, *state.map, words.where);
