@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/tt_inputs.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -30,6 +31,8 @@ enum class ViewAction {
   FlightHint,  ///< a key of the free flight, out of it
   Explain,     ///< the pixel of clicked()
   Reload,
+  WriteInputs,
+  ModelOnly,  ///< a key that needs the model, of a chip that is none
   Quit,
 };
 
@@ -41,11 +44,16 @@ struct ViewState {
   bool beam = false, borders = false, gauges = false, text = false, help = false;
   bool muted = false, full_screen = false;
   bool flying = false;  ///< set by whoever takes ViewAction::Fly
+  /// Input pins that keys toggle, of a chip of its own; of the model nothing.
+  std::optional<TilePins> inputs;
+  bool uio_keys = false;  ///< they toggle uio_in instead of ui_in
 };
 
 /// One row of the help.
 struct KeyHelp {
+  enum Chip { Any, Model, Tile };
   std::string keys, meaning;
+  Chip chip = Any;  ///< that has the keys: a Tile is a chip of its own
 };
 
 class ViewControl {
@@ -88,12 +96,13 @@ class ViewControl {
 
   ViewState state;
 
-  /// Every key, as press() knows them: a test holds that.
-  static const std::vector<KeyHelp>& help();
+  /// Every key, as press() knows them: a test holds that. `tile`: of a chip of its own.
+  static const std::vector<KeyHelp>& help(bool tile = false);
 
  private:
   int held(const char* key) const { return held_.count(key) + tapped_.count(key) > 0 ? 1 : 0; }
   Motion motion() const;
+  bool tile_key(const std::string& key);
 
   std::queue<ViewAction> actions_;
   std::set<std::string> held_, tapped_;  // tapped: since the last take_motion()

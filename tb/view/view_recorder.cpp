@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "sc/constants.h"
 #include "tb/counted.h"
 #include "tb/image_files.h"
+#include "tb/output_file.h"
 
 namespace racebeam {
 
@@ -32,10 +32,16 @@ std::string ViewRecorder::screenshot(const RgbImage& picture, int frame) const {
   return name;
 }
 
-void ViewRecorder::start(int frame) {
+std::string ViewRecorder::inputs(const std::string& text, int frame) const {
+  const std::string name = free_name(frame, ".csv");
+  write_text(name, text);
+  return name;
+}
+
+void ViewRecorder::start(int frame, int columns, int rows, double frames_per_second) {
   gif_name_ = free_name(frame, ".gif");
   empty_ = true;
-  gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, Rate);
+  gif_ = std::make_unique<GifWriter>(gif_name_, columns, rows, frames_per_second);
 }
 
 void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {

@@ -29,6 +29,14 @@ Viewer::Viewer(Stage stage, Options options)
       recorder_(options_.folder) {
   go_to(options_.first);
   control.state.beam = !stage_.source->fast();
+  control.state.inputs = stage_.source->inputs();
+}
+
+// What the keys made of the inputs. While a frame is filled they wait: it has its own.
+void Viewer::press_inputs() {
+  if (fill_ || control.state.inputs == stage_.source->inputs()) return;
+  stage_.source->press(*control.state.inputs);
+  changed_ = true;
 }
 
 int Viewer::next_frame() const {
@@ -107,6 +115,10 @@ void Viewer::act(ViewAction action) {
     case ViewAction::Reload:
       if (options_.scene_file.empty()) return say("the built-in demo has no file to load again");
       return take_scene(watch_.read());
+    case ViewAction::WriteInputs:
+      return say_and_tell("wrote " + recorder_.inputs(stage_.source->inputs_text(), frame));
+    case ViewAction::ModelOnly:
+      return say("maps, intervals, gauges, flight and scene files are of the model only");
     case ViewAction::Quit: quit_ = true; return;
   }
 }
@@ -115,7 +127,7 @@ void Viewer::act(ViewAction action) {
 void Viewer::toggle_recording() {
   const FrameWatch& watch = stage_.source->watch();
   if (recorder_.recording()) return say_and_tell(recorder_.stop());
-  recorder_.start(watch.frame());
+  recorder_.start(watch.frame(), watch.raster().columns, watch.raster().rows, frame_rate());
   say("recording " + recorder_.gif_name() + "; v: stop");
   if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
 }
@@ -150,6 +162,11 @@ void Viewer::look_for_news(double elapsed) {
   if (auto news = watch_.look()) take_scene(std::move(*news));
 }
 
+// Of the chip itself, a second.
+double Viewer::frame_rate() const {
+  return stage_.source->clock_hz() / stage_.source->watch().raster().frame_clocks();
+}
+
 // The pin is clocked by the beam: other clocks a pixel would make other tones.
 bool Viewer::audible() const {
   const knobs chip;
@@ -180,12 +197,13 @@ void Viewer::show_frames(int frames) {
 void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
   const Raster& raster = stage_.source->watch().raster();
   const int speed = control.state.speed;
-  const double clock_rate = ViewRecorder::Rate * raster.frame_clocks() * std::exp2(speed);
+  const double clock_rate = stage_.source->clock_hz() * std::exp2(speed);
   budget_ = std::min(budget_ + elapsed * clock_rate, LongestLag * clock_rate);
   if (!stage_.source->fast() || speed < 0) {
     while (budget_ >= 1 && !finished()) {
       budget_ -= clocks(std::min(Slice, static_cast<int>(budget_)));
-      if (!in_time() || stage_.source->watch().whole()) break;
+      if (!in_time()) break;
+      if (stage_.source->watch().whole() && budget_ < raster.frame_clocks()) break;
     }
     return;
   }
@@ -200,6 +218,7 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   flight_time_ = control.steered() ? flight_time_ + elapsed : 0;
   age_message(elapsed);
   look_for_news(elapsed);
+  press_inputs();
   bool acted = false;
   const bool filled = fill_;
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
@@ -213,11 +232,16 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   }
   say_changes(acted);
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
-  if (filled || acted || finished()) return;  // a new picture is seen before it runs on
-  if (!control.state.paused) run(elapsed, in_time);
-  else if (flight_ && control.steered()) fly_while_paused(elapsed);
+  const bool news = filled || acted;  // a new picture is seen before it runs on
+  if (!news && !control.state.paused && !finished()) run(elapsed, in_time);
+  if (!news && control.state.paused && flight_ && control.steered()) fly_while_paused(elapsed);
+  if (!fill_) control.state.inputs = stage_.source->inputs();
 }
 
-std::vector<float> Viewer::take_sound() { return std::exchange(samples_, {}); }
+std::vector<float> Viewer::take_sound() {
+  const std::vector<float> own = stage_.source->take_sound();
+  if (audible()) samples_.insert(samples_.end(), own.begin(), own.end());
+  return std::exchange(samples_, {});
+}
 
 }  // namespace racebeam
