@@ -15,6 +15,9 @@
 #include "tests/x_server.h"
 
 namespace racebeam {
+
+void PrintTo(const Extent& size, std::ostream* out) { *out << size.width << " x " << size.height; }
+
 namespace {
 
 using testing::HasSubstr;
