@@ -26,8 +26,12 @@ namespace {
 
 /// "file" that holds `text`, for $readmemh.
 std::string table_file(const std::string& text) {
-  const std::string file = cached(content_key({text}) + ".hex",
-                                  [&](const std::string& fresh) { std::ofstream(fresh) << text; });
+  const std::string file = cached(content_key({text}) + ".hex", [&](const std::string& fresh) {
+    std::ofstream out(fresh);
+    out << text;
+    out.close();
+    if (!out) throw RtlError("cannot write " + fresh + "; is the disk full?");
+  });
   return "\"" + file + "\"";
 }
 
