@@ -77,6 +77,8 @@ add_racebeam_test(vcd_diff unit racebeam_trace GTest::gmock)
 add_racebeam_test(flight_recorder unit racebeam_trace)
 add_racebeam_test(condition unit racebeam_trace)
 add_racebeam_test(wave_picture unit racebeam_trace LibXml2::LibXml2 GTest::gmock)
+add_racebeam_test(rtl_syntax unit racebeam_scene GTest::gmock)
+target_compile_definitions(rtl_syntax_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(lockstep unit racebeam_scene fmt::fmt)
 target_compile_definitions(lockstep_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(image_files unit racebeam_images PkgConfig::OIIO)
@@ -154,6 +156,7 @@ foreach(
   cli_jobs
   cli_overlay
   cli_render
+  cli_rtl
   cli_scene
   cli_trace
   cli_trace_around
