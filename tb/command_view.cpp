@@ -128,6 +128,13 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
+std::string explain_of(const ViewOptions& options) {
+  const bool plain = options.scene.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos;
+  std::string command = "explain " + (plain ? options.scene : "'" + options.scene + "'");
+  for (const std::string& one : options.assignments) command += " --set " + one;
+  return command;
+}
+
 // Names of keys that do nothing are mistakes in a script.
 void check_keys(const std::vector<std::string>& keys) {
   std::vector<std::string> known;
@@ -153,6 +160,7 @@ int command_view(const ViewOptions& options) {
   if (options.scene != BuiltIn) setting.scene_file = options.scene;
   setting.folder = options.folder;
   setting.demo_file = demo_file;
+  setting.explain = explain_of(options);
   const bool tlm = level == "tlm";
   if (tlm) setting.restage = [&](const Show& changed) { return tlm_stage(options, changed); };
   else

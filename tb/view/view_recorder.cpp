@@ -33,10 +33,9 @@ std::string ViewRecorder::screenshot(const RgbImage& picture, int frame) const {
 }
 
 void ViewRecorder::start(int frame) {
-  constexpr double FramesPerSecond = 60;
   gif_name_ = free_name(frame, ".gif");
   empty_ = true;
-  gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, FramesPerSecond);
+  gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, Rate);
 }
 
 void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {
