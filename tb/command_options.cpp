@@ -183,7 +183,7 @@ void add_scene(CLI::App& app, SceneOptions& options) {
 
 void add_view(CLI::App& app, ViewOptions& options) {
   CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
-  view->add_option("scene", options.scene, "demo, or a scene file")->required()->type_name("SCENE");
+  view->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
   view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
   view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
       ->type_name("N");
@@ -198,6 +198,14 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
+  add_tt_options(*view, options);
+  view->add_option("--sound-pin", options.sound_pin,
+                   "With --tt: the pin of uio_out that is heard, 0..7; 7")
+      ->type_name("N");
+  view->add_option("--record-inputs", options.record_inputs,
+                   "With --tt: write the inputs, those of the keys too, for --inputs")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
   view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
       ->type_name("DIR")
       ->check(not_empty())

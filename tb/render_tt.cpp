@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "tb/against.h"
 #include "tb/console.h"
 #include "tb/errors.h"
@@ -11,6 +13,7 @@
 #include "tb/pins_report.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
+#include "tb/trace/tile_wave.h"
 #include "tb/tt_bench.h"
 #include "tb/tt_plugin.h"
 #include "tb/tt_remarks.h"
@@ -18,8 +21,6 @@
 namespace racebeam {
 
 namespace {
-
-constexpr int MaxFrames = 1'000'000;  // to the end of the last one
 
 struct TtPlan : OutputPlan {
   TtProject project;
@@ -37,10 +38,13 @@ void refuse_scene_options(const RenderOptions& options) {
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
-  TtPlan plan{plan_output(options, MaxFrames), {}, tt_inputs(options)};
-  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MaxFrames)
+  TtPlan plan{plan_output(options, MostTtFrames), {}, tt_inputs(options)};
+  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
-                                 MaxFrames - 1));
+                                 MostTtFrames - 1));
+  if (!plan.vcd.empty()) check_waveform_name(plan.vcd);
+  if (!plan.vcd.empty() && plan.every != 1)
+    throw UsageError("--vcd needs consecutive frames; leave out --every, or --vcd");
   plan.project = read_tt_project(options.project, options.reading);
   return plan;
 }
@@ -81,12 +85,15 @@ int render_tt(const RenderOptions& options) {
   TtRun run(plan.project, tt_plugin(plan.project, options.reading.trust), plan.inputs);
   plan.frames_per_second = run.found().frames_per_second();
   RenderFiles files(plan, manifest_of(plan));
+  std::optional<TileWave> wave;
+  if (!plan.vcd.empty()) wave.emplace(run, plan.project.top, plan.first, plan.vcd);
   TtBench bench(run, plan.checksums(), !plan.wav.empty(), plan.first);
   Against against(plan.against);
   PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
   for (const std::string& remark : assumptions(plan.project, run.found())) tell(remark);
   files.run([&] { render_frames(plan, bench, files, report, against); }, bench.sound(),
             [&] { return report.text(bench.faults(), against.json()); });
+  if (wave) wave->commit();
   print(plan.json ? report.text(bench.faults(), against.json()) : report.table_pins());
   const bool differs = against.report(plan.json);
   if (bench.sound() && !bench.has_sound_pin())

@@ -12,6 +12,9 @@
 
 namespace racebeam {
 
+/// Frames of any chip: all up to the last that is wanted are simulated.
+constexpr int MostTtFrames = 1'000'000;
+
 /// The command line as it was written.
 struct TtOptions {
   std::string project;               ///< project folder, instead of a scene; empty: there is none

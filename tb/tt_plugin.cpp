@@ -89,8 +89,9 @@ std::string hint(const TtProject& project) {
 
 }  // namespace
 
-std::string tt_plugin(const TtProject& project, bool trust) {
-  const RtlSources sources = sources_of(project);
+std::string tt_plugin(const TtProject& project, bool trust, bool signals) {
+  RtlSources sources = sources_of(project);
+  sources.signals = signals;
   try {
     if (!trust) check_trust(read_rtl_syntax(sources), sources, project);
     return rtl_plugin(sources);

@@ -81,7 +81,6 @@ void TtRun::each_clock(std::function<void(std::uint64_t clock)> look) {
   look_ = std::move(look);
 }
 
-// Brings the chip to the clock that the run stands before.
 void TtRun::stand() {
   if (chip_->clock() == clock_) return;
   reset_chip();
@@ -102,8 +101,8 @@ void TtRun::press(TilePins pins) {
   if (ahead) stand();
 }
 
-TilePins TtRun::pins() const {
-  const auto later = std::upper_bound(times_.begin(), times_.end(), clock_);
+TilePins TtRun::pins_at(std::uint64_t clock) const {
+  const auto later = std::upper_bound(times_.begin(), times_.end(), clock);
   return later == times_.begin() ? inputs_.start()
                                  : inputs_.changes()[later - times_.begin() - 1].pins;
 }
