@@ -55,6 +55,8 @@ set_tests_properties(tune/RtlTables PROPERTIES LABELS unit TIMEOUT 60)
 # The test bench
 add_racebeam_test(vga_monitor unit)
 add_racebeam_test(frame_finder unit GTest::gmock)
+add_racebeam_test(sky130_cells unit fmt::fmt)
+target_sources(sky130_cells_test PRIVATE tb/sky130_cells.cpp)
 add_racebeam_test(pin_stats unit)
 add_racebeam_test(sound_monitor unit PkgConfig::SNDFILE)
 add_racebeam_test(output_file unit)
@@ -172,6 +174,7 @@ foreach(
   cli_tt
   cli_tt_inputs
   cli_tt_trace
+  cli_tt_traits
   cli_tt_view
   cli_verify
   cli_view_term)
@@ -185,6 +188,7 @@ target_link_libraries(cli_gtkwave_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_picture_test PRIVATE LibXml2::LibXml2)
 target_link_libraries(cli_tt_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_inputs_test PRIVATE PkgConfig::OIIO)
+target_link_libraries(cli_tt_traits_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_view_test PRIVATE PkgConfig::OIIO)
 if(SDL2_FOUND)
   target_compile_definitions(cli_tt_view_test PRIVATE RACEBEAM_WINDOW)
