@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -98,13 +99,10 @@ const std::vector<KeyHelp>& all_help() {
   return rows;
 }
 
-bool is_key_of(KeyHelp::Chip chip, const std::string& key) {
-  for (const KeyHelp& row : all_help()) {
-    std::istringstream keys(row.keys);
-    for (std::string one; row.chip == chip && keys >> one;)
-      if (one == key) return true;
-  }
-  return false;
+bool has_key(const KeyHelp& row, const std::string& key) {
+  std::istringstream keys(row.keys);
+  return std::find(std::istream_iterator<std::string>(keys), {}, key) !=
+         std::istream_iterator<std::string>();
 }
 
 // Keys that move the camera while it flies; the arrows have another meaning otherwise.
@@ -118,6 +116,10 @@ bool flight_key(const std::string& key) {
 
 // What a chip of its own makes of a key.
 bool ViewControl::tile_key(const std::string& key) {
+  const auto has = [&](bool tile) {
+    return std::any_of(help(tile).begin(), help(tile).end(),
+                       [&](const KeyHelp& row) { return has_key(row, key); });
+  };
   if (key.size() == 1 && key[0] >= '0' && key[0] <= '7') {
     std::uint8_t& pins = state.uio_keys ? state.inputs->uio : state.inputs->ui;
     pins = static_cast<std::uint8_t>(pins ^ 1 << (key[0] - '0'));
@@ -125,7 +127,7 @@ bool ViewControl::tile_key(const std::string& key) {
     state.uio_keys = !state.uio_keys;
   } else if (key == "w") {
     actions_.push(ViewAction::WriteInputs);
-  } else if (is_key_of(KeyHelp::Model, key)) {
+  } else if (has(false) && !has(true)) {
     actions_.push(ViewAction::ModelOnly);
   } else {
     return false;

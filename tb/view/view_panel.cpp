@@ -15,7 +15,7 @@ namespace {
 
 constexpr Rgb Paper{20, 21, 27}, Rule{52, 54, 64}, Ink{228, 228, 228}, Faint{140, 142, 152};
 constexpr Rgb Bar{58, 110, 165}, Now{255, 196, 64}, Alarm{222, 45, 38};
-constexpr int Left = VisibleColumns + 12, Width = PanelWidth - 24;
+constexpr int Margin = 12, Left = VisibleColumns + Margin, Width = PanelWidth - 2 * Margin;
 constexpr int BarGap = 3, GaugeGap = 14, LightHeight = 10;
 constexpr int DepthHeight = GlyphHeight + LightHeight + 14;
 
@@ -64,12 +64,13 @@ int bar_height(int top) {
 
 void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, const ViewState& state,
                  const std::string& statistics) {
-  picture.fill(VisibleColumns, 0, PanelWidth, picture.height(), Paper);
+  const int edge = watch.raster().columns, left = edge + Margin;
+  picture.fill(edge, 0, PanelWidth, picture.height(), Paper);
   int top = 10;
   if (state.text) {
-    picture.text(Left, top, statistics, Ink);
+    picture.text(left, top, statistics, Ink);
     top += GlyphHeight * static_cast<int>(std::count(statistics.begin(), statistics.end(), '\n'));
-    picture.fill(Left, top + 4, Width, 1, Rule);
+    picture.fill(left, top + 4, Width, 1, Rule);
     top += 12;
   }
   if (state.gauges) {

@@ -108,7 +108,9 @@ RgbImage Viewer::picture_with_message() const {
 RgbImage Viewer::bare_picture() const {
   ViewState bare = control.state;
   bare.gauges = bare.text = bare.help = false;
-  return view_picture(stage_.source->watch(), stage_.k, bare, {});
+  const Raster& raster = stage_.source->watch().raster();
+  const RgbImage image = view_picture(stage_.source->watch(), stage_.k, bare, {});
+  return image.top(raster.columns, raster.rows);
 }
 
 std::vector<std::string> Viewer::words() const {
