@@ -132,7 +132,7 @@ int command_verify(const VerifyOptions& options) {
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  show.frames()));
   knobs k = show.standard_knobs();
-  for (const std::string& assignment : options.assignments) set_knob(k, assignment);
+  set_knobs(k, options.assignments);
   if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
   const UseOption use(k, show.program());
   unit_choices choices;

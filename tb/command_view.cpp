@@ -42,7 +42,7 @@ std::string level_of(const ViewOptions& options) {
 
 knobs knobs_of(const ViewOptions& options, const Show& show) {
   knobs k = show.standard_knobs();
-  for (const std::string& assignment : options.assignments) set_knob(k, assignment);
+  set_knobs(k, options.assignments);
   if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
   return k;
 }

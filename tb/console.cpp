@@ -9,10 +9,19 @@
 
 namespace racebeam {
 
+namespace {
+
+[[noreturn]] void throw_error(int error) {
+  if (error == EPIPE) throw ClosedPipe("the standard output", error, "");
+  throw OutputError("the standard output", error, "short write");
+}
+
+}  // namespace
+
 void print(std::string_view text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw OutputError("the standard output", errno, "short write");
+    throw_error(errno);
 }
 
 void tell(std::string_view text) {

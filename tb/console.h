@@ -8,7 +8,7 @@
 
 namespace racebeam {
 
-/// Writes results at once. Throws OutputError, also if the reader is gone or the disk is full.
+/// Writes results at once. Throws OutputError, as on a full disk; ClosedPipe if the reader is gone.
 void print(std::string_view text);
 
 /// One line for the user, on stderr, after "racebeam: ".

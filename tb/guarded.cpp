@@ -22,6 +22,8 @@ int guarded(const std::function<int()>& work) {
   } catch (const RtlError& error) {
     tell(error.what());
     return ExitUsage;
+  } catch (const ClosedPipe&) {
+    return ExitPipe;
   } catch (const OutputError& error) {
     tell(error.what());
     tell("choose another place, or free some space");

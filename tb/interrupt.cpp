@@ -32,7 +32,6 @@ void catch_interrupts() {
     action.sa_flags = SA_RESTART;
     sigaction(number, &action, nullptr);
   }
-  signal(SIGPIPE, SIG_IGN);
 }
 
 bool interrupted() { return interrupts > 0; }

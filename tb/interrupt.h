@@ -7,8 +7,7 @@
 namespace racebeam {
 
 /// From now on SIGINT, SIGTERM and SIGHUP only set a flag; the third one ends the program at once
-/// with 130. A caller that ignores SIGHUP (nohup) keeps it ignored. A reader of stdout that goes
-/// away is from now on an error of the write, not a signal.
+/// with 130. A caller that ignores SIGHUP (nohup) keeps it ignored.
 void catch_interrupts();
 
 /// One of them has arrived.

@@ -39,5 +39,6 @@ int sc_main(int argc, char** argv) { return racebeam::run(argc, argv); }
 int main(int argc, char** argv) {
   setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
   signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write
+  signal(SIGPIPE, SIG_IGN);  // and so is a reader that has gone: see ClosedPipe
   return sc_core::sc_elab_and_sim(argc, argv);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/output_file.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -9,6 +10,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <regex>
 #include <system_error>
 
 namespace racebeam {
@@ -26,6 +29,37 @@ std::string extension_of(const std::string& path) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
+
+namespace {
+
+// The process in a name such as ".a.123-4.gif", and the name without it, "a.gif"; 0 in others.
+int process_of(const std::string& name, std::string& of) {
+  static const std::regex form(R"(\.(.+)\.([0-9]{1,9})-[0-9]+(\.[^.]*)?)");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, form)) return 0;
+  of = parts[1].str() + parts[3].str();
+  return std::stoi(parts[2]);
+}
+
+// Removes what OutputFiles for `target` have left in processes that were killed. A folder is looked
+// through once: what comes later is of processes that live.
+void remove_leftovers(const fs::path& folder, const fs::path& target) {
+  static std::map<fs::path, std::multimap<std::string, fs::path>> all;
+  std::error_code error;
+  const auto [at, is_new] = all.try_emplace(fs::absolute(folder, error));
+  std::string of;
+  if (is_new)
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const int process = process_of(entry.path().filename().string(), of);
+      if (process > 0 && kill(process, 0) != 0 && errno == ESRCH)
+        at->second.emplace(of, entry.path());
+    }
+  const auto [first, end] = at->second.equal_range(target.filename().string());
+  for (auto left = first; left != end; ++left) fs::remove(left->second, error);
+  at->second.erase(first, end);
+}
+
+}  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   static std::atomic<int> serial{0};
@@ -47,6 +81,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (!fs::is_directory(folder, error)) {
     throw OutputError(path, fs::exists(folder, error) ? ENOTDIR : ENOENT, "");
   }
+  remove_leftovers(folder, target);
   const std::string name = "." + target.stem().string() + "." + std::to_string(getpid()) + "-" +
                            std::to_string(++serial) + target.extension().string();
   temporary_ = (target.has_parent_path() ? folder / name : fs::path(name)).string();

@@ -26,6 +26,11 @@ class OutputError : public std::runtime_error {
   OutputError(const std::string& path, int error, const std::string& otherwise);
 };
 
+/// Whoever reads the standard output has gone, as `head` does: nothing to say, exit code 141.
+class ClosedPipe : public OutputError {
+  using OutputError::OutputError;
+};
+
 /// The extension of a file's name in lower case, ".png": whatever a path ends with, its case says
 /// nothing.
 std::string extension_of(const std::string& path);

@@ -155,6 +155,7 @@ foreach(
   cli
   cli_against
   cli_explain
+  cli_folder
   cli_golden
   cli_gtkwave
   cli_jobs
