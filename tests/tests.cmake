@@ -55,6 +55,8 @@ set_tests_properties(tune/RtlTables PROPERTIES LABELS unit TIMEOUT 60)
 # The test bench
 add_racebeam_test(vga_monitor unit)
 add_racebeam_test(frame_finder unit GTest::gmock)
+add_racebeam_test(sky130_cells unit fmt::fmt)
+target_sources(sky130_cells_test PRIVATE tb/sky130_cells.cpp)
 add_racebeam_test(pin_stats unit)
 add_racebeam_test(sound_monitor unit PkgConfig::SNDFILE)
 add_racebeam_test(output_file unit)
@@ -79,6 +81,8 @@ add_racebeam_test(vcd_diff unit racebeam_trace GTest::gmock)
 add_racebeam_test(flight_recorder unit racebeam_trace)
 add_racebeam_test(condition unit racebeam_trace)
 add_racebeam_test(wave_picture unit racebeam_trace LibXml2::LibXml2 GTest::gmock)
+add_racebeam_test(rtl_syntax unit racebeam_scene GTest::gmock)
+target_compile_definitions(rtl_syntax_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(lockstep unit racebeam_scene fmt::fmt)
 target_compile_definitions(lockstep_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(image_files unit racebeam_images PkgConfig::OIIO)
@@ -156,6 +160,7 @@ foreach(
   cli_jobs
   cli_overlay
   cli_render
+  cli_rtl
   cli_scene
   cli_trace
   cli_trace_around
@@ -169,6 +174,7 @@ foreach(
   cli_tt
   cli_tt_inputs
   cli_tt_trace
+  cli_tt_traits
   cli_tt_view
   cli_verify
   cli_view_term)
@@ -182,6 +188,7 @@ target_link_libraries(cli_gtkwave_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_picture_test PRIVATE LibXml2::LibXml2)
 target_link_libraries(cli_tt_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_inputs_test PRIVATE PkgConfig::OIIO)
+target_link_libraries(cli_tt_traits_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_view_test PRIVATE PkgConfig::OIIO)
 if(SDL2_FOUND)
   target_compile_definitions(cli_tt_view_test PRIVATE RACEBEAM_WINDOW)
