@@ -26,6 +26,20 @@ void add_tt_options(CLI::App& command, TtOptions& options) {
   command.add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
       ->type_name("N");
   command
+      .add_option("--clock-hz", options.reading.clock_hz,
+                  "The clock of the chip of --tt, instead of clock_hz of info.yaml")
+      ->type_name("N");
+  command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command
+      .add_option("-I,--include", options.reading.include_folders,
+                  "Look for includes of --tt here, before its own folders; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  command.add_flag("--trust", options.reading.trust,
+                   "Let the RTL of --tt run commands and read and write any file");
+  command
       .add_option("--inputs", options.inputs,
                   "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
                   "writes them: frame,line,clock,ui,uio")
@@ -205,7 +219,7 @@ void add_scene(CLI::App& app, SceneOptions& options) {
 
 void add_view(CLI::App& app, ViewOptions& options) {
   CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
-  view->add_option("scene", options.scene, "demo, or a scene file")->required()->type_name("SCENE");
+  view->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
   view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
   view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
       ->type_name("N");
@@ -220,6 +234,14 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
+  add_tt_options(*view, options);
+  view->add_option("--sound-pin", options.sound_pin,
+                   "With --tt: the pin of uio_out that is heard, 0..7; 7")
+      ->type_name("N");
+  view->add_option("--record-inputs", options.record_inputs,
+                   "With --tt: write the inputs, those of the keys too, for --inputs")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
   view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
       ->type_name("DIR")
       ->check(not_empty())

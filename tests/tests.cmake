@@ -69,6 +69,8 @@ add_racebeam_test(view_window_missing unit racebeam_view)
 target_sources(view_window_missing_test PRIVATE tb/view/view_window_missing.cpp)
 add_racebeam_test(frame_maps frame)
 add_racebeam_test(frame_source frame)
+add_racebeam_test(tt_source frame)
+target_compile_definitions(tt_source_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(pin_probe unit)
 add_racebeam_test(vcd_writer unit)
 add_racebeam_test(vcd_diff unit racebeam_trace GTest::gmock)
@@ -167,6 +169,8 @@ foreach(
   cli_trace_windows
   cli_tt
   cli_tt_inputs
+  cli_tt_trace
+  cli_tt_view
   cli_verify
   cli_view_term)
   add_racebeam_test(${stem} cli nlohmann_json::nlohmann_json GTest::gmock)
@@ -179,6 +183,10 @@ target_link_libraries(cli_gtkwave_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_picture_test PRIVATE LibXml2::LibXml2)
 target_link_libraries(cli_tt_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_inputs_test PRIVATE PkgConfig::OIIO)
+target_link_libraries(cli_tt_view_test PRIVATE PkgConfig::OIIO)
+if(SDL2_FOUND)
+  target_compile_definitions(cli_tt_view_test PRIVATE RACEBEAM_WINDOW)
+endif()
 target_link_libraries(cli_overlay_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_event_test PRIVATE racebeam_trace)
 target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)

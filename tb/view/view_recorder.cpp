@@ -10,6 +10,7 @@
 #include "sc/constants.h"
 #include "tb/counted.h"
 #include "tb/image_files.h"
+#include "tb/output_file.h"
 
 namespace racebeam {
 
@@ -29,6 +30,12 @@ std::string ViewRecorder::free_name(int frame, const std::string& extension) con
 std::string ViewRecorder::screenshot(const RgbImage& picture, int frame) const {
   const std::string name = free_name(frame, ".png");
   write_png(name, picture);
+  return name;
+}
+
+std::string ViewRecorder::inputs(const std::string& text, int frame) const {
+  const std::string name = free_name(frame, ".csv");
+  write_text(name, text);
   return name;
 }
 

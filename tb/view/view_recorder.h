@@ -22,6 +22,9 @@ class ViewRecorder {
   /// OutputError.
   std::string screenshot(const RgbImage& picture, int frame) const;
 
+  /// Writes view_0060.csv, or another as above. Returns its name. Throws OutputError.
+  std::string inputs(const std::string& text, int frame) const;
+
   bool recording() const { return gif_ != nullptr; }
   /// Begins view_0060.gif, which has the chip's own pictures, without overlays, and plays at the
   /// speed of the show. Throws OutputError.
