@@ -71,6 +71,7 @@ function(racebeam_add_unit_rtl)
             ${rtl_UNIT} ${plugin} ${rtl_PARAMETERS} ${sources}
     DEPENDS ${sources} ${RACEBEAM_FOLDER}/rtl/racebeam_pkg.sv ${RACEBEAM_FOLDER}/scripts/verilate
             ${RACEBEAM_FOLDER}/sc/rtl_glue.cc.in ${RACEBEAM_FOLDER}/sc/rtl_model.h
+            ${RACEBEAM_FOLDER}/sc/rtl_runtime.h
     COMMENT "Verilating ${rtl_NAME}"
     VERBATIM)
   add_custom_target(rtl_${rtl_NAME} DEPENDS ${plugin})

@@ -15,6 +15,8 @@
 #include "sc/constants.h"
 #include "tb/console.h"
 #include "tb/counted.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
@@ -101,11 +103,12 @@ void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* s
   std::exception_ptr failure;
   try {
     render();
-  } catch (const SyncError&) {
-    failure = std::current_exception();
-  } catch (const OutputError&) {
+  } catch (const Interrupted&) {
+    // fewer frames
+  } catch (...) {
     failure = std::current_exception();
   }
+  time_to_finish();
   try {
     finish(sound, stats());  // what belongs to the whole frames so far
   } catch (const OutputError&) {

@@ -32,6 +32,7 @@ struct UnitVerdict {
   std::uint64_t differences = 0;
   double seconds = 0;
   std::optional<FirstDifference> first;
+  std::string fault;  ///< what ended the RTL before the comparison was over; or empty
 };
 
 /// A unit and what its twins are made for.
@@ -44,9 +45,10 @@ struct UnitUnderTest {
 /// Its model, called "model".
 std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut);
 
-/// Compares model and RTL over `clocks` clocks of RandomTraffic, up to a difference, which is
-/// explained and saved in `folder`; `repeat` is the command for it. Only one such comparison and
-/// nothing else of SystemC may happen in a process. Throws RtlError, OutputError.
+/// Compares model and RTL over `clocks` clocks of RandomTraffic, up to a difference, a fault or an
+/// interrupt. A difference is explained and saved in `folder`; `repeat` is the command for it. Only
+/// one such comparison and nothing else of SystemC may happen in a process. Throws RtlError,
+/// OutputError.
 UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed,
                         const std::string& folder, const std::string& repeat);
 
