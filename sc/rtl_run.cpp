@@ -14,6 +14,7 @@
 #include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sc/rtl_remarks.h"
 
@@ -171,9 +172,9 @@ RtlFault left(int number) {
                     (loops.empty() ? "" : "; its loops: " + loops) +
                     "; if it needs its time, set RACEBEAM_RTL_SECONDS");
   }
-  const std::string files = remarks_text(*now.model, "file");
-  return RtlFault(begin + (files.empty() ? "" : " (" + files + ")") + " crashed" + clock + ": " +
-                  strsignal(number));
+  const std::vector<std::string> top = remarks_of(*now.model, "top");  // "FILE:LINE NAME"
+  const std::string file = top.empty() ? "" : " (" + top[0].substr(0, top[0].rfind(':')) + ")";
+  return RtlFault(begin + file + " crashed" + clock + ": " + strsignal(number));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "sc/rtl_plugin.h"
 #include "sc/unit_choices.h"
 #include "tb/trace/vcd_writer.h"
 
@@ -14,9 +13,7 @@ namespace racebeam {
 
 Lockstep::Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
                    const sc_core::sc_module& model, const knobs& k, const std::string& plugin)
-    : sc_module(name),
-      unit_(unit),
-      rtl_(plugin.empty() ? rtl_plugin_path(unit, k) : plugin, unit, ports_of(model), k) {
+    : sc_module(name), unit_(unit), rtl_(plugin, unit, ports_of(model), k) {
   SC_HAS_PROCESS(Lockstep);
   SC_METHOD(clock);
   sensitive << clk_i.pos();

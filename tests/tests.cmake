@@ -10,7 +10,7 @@ target_link_libraries(racebeam_test_main PRIVATE PkgConfig::SYSTEMC)
 function(add_racebeam_test stem label)
   add_executable(${stem}_test tests/${stem}_test.cpp)
   target_link_libraries(${stem}_test PRIVATE racebeam_test_main)
-  target_link_libraries(${stem}_test PRIVATE racebeam_bench ${ARGN} GTest::gtest_main)
+  target_link_libraries(${stem}_test PRIVATE racebeam_verilate ${ARGN} GTest::gtest_main)
   target_precompile_headers(${stem}_test REUSE_FROM racebeam_hardware)
   gtest_discover_tests(
     ${stem}_test
@@ -19,23 +19,11 @@ function(add_racebeam_test stem label)
     DISCOVERY_TIMEOUT 60)
 endfunction()
 
-# RTL: each unit's twin, verilated to a plug-in, with the function that other projects get too.
-include(scripts/racebeam-config.cmake)
-if(NOT VERILATOR)
-  message(FATAL_ERROR "${racebeam_NOT_FOUND_MESSAGE}")
-endif()
-
-# add_unit(<name> [RTL <module>...] [TESTS <subject>...]): rtl/<name>.sv, with the modules inside it,
-# becomes a plug-in, tests/<name>_test.cpp and the tests/<name>_<subject>_test.cpp, one program, hold
-# model and RTL to the header.
+# add_unit(<name> [TESTS <subject>...]): tests/<name>_test.cpp and the tests/<name>_<subject>_test.cpp,
+# one program, hold the model sc/<name>.cpp and its twin rtl/<name>.sv to the header.
 function(add_unit name)
-  cmake_parse_arguments(PARSE_ARGV 1 unit "" "" "RTL;TESTS")
+  cmake_parse_arguments(PARSE_ARGV 1 unit "" "" "TESTS")
   add_racebeam_test(${name} unit)
-  if(EXISTS ${CMAKE_SOURCE_DIR}/rtl/${name}.sv)
-    list(TRANSFORM unit_RTL REPLACE "(.+)" "rtl/\\1.sv")
-    racebeam_add_unit_rtl(NAME ${name} UNIT ${name} SOURCES rtl/${name}.sv ${unit_RTL})
-    add_dependencies(${name}_test rtl_${name})
-  endif()
   foreach(subject IN LISTS unit_TESTS)
     target_sources(${name}_test PRIVATE tests/${name}_${subject}_test.cpp)
   endforeach()
@@ -59,7 +47,7 @@ target_link_libraries(scene_rom_test PRIVATE racebeam_scene)
 add_unit(navigator TESTS flight free_flight portals)
 add_unit(interval_fifo TESTS lines trace)
 add_unit(pixel_output TESTS colours)
-add_unit(pwm_sound RTL sound_voice tune_bars tune_measures tune_moment TESTS pins voices)
+add_unit(pwm_sound TESTS pins voices)
 add_racebeam_test(tune unit)
 add_test(NAME tune/RtlTables COMMAND ${CMAKE_SOURCE_DIR}/scripts/tune_tables --check)
 set_tests_properties(tune/RtlTables PROPERTIES LABELS unit TIMEOUT 60)
@@ -88,9 +76,7 @@ add_racebeam_test(flight_recorder unit racebeam_trace)
 add_racebeam_test(condition unit racebeam_trace)
 add_racebeam_test(wave_picture unit racebeam_trace LibXml2::LibXml2 GTest::gmock)
 add_racebeam_test(lockstep unit racebeam_scene fmt::fmt)
-target_sources(lockstep_test PRIVATE tb/plugin_maker.cpp)
 target_compile_definitions(lockstep_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-add_dependencies(lockstep_test rtl)
 add_racebeam_test(image_files unit racebeam_images PkgConfig::OIIO)
 
 add_racebeam_test(stats_json unit racebeam_report)
@@ -104,7 +90,6 @@ add_racebeam_test(chip frame)
 add_racebeam_test(chip_knobs frame racebeam_settings)
 add_racebeam_test(chip_reset frame)
 add_racebeam_test(chip_mix frame)
-add_dependencies(chip_mix_test rtl)
 add_racebeam_test(chip_lines frame racebeam_golden)
 add_racebeam_test(chip_observer frame)
 add_racebeam_test(tlm_chip frame)
@@ -115,12 +100,6 @@ target_compile_definitions(tlm_equality_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAK
 
 # The whole chip in RTL
 add_racebeam_test(racebeam_top frame)
-file(GLOB RTL_FILES CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} rtl/*.sv)
-list(REMOVE_ITEM RTL_FILES rtl/racebeam_pkg.sv)
-racebeam_add_unit_rtl(NAME racebeam_top UNIT racebeam_top SOURCES ${RTL_FILES})
-racebeam_add_unit_rtl(NAME tt_um_racebeam UNIT tt_um_racebeam SOURCES rtl/racebeam_pkg.sv
-                      ${RTL_FILES})
-add_dependencies(racebeam_top_test rtl_racebeam_top rtl_tt_um_racebeam)
 
 # Scene files on the chip
 add_racebeam_test(demo_equality frame racebeam_golden)
@@ -193,7 +172,7 @@ foreach(
   target_compile_definitions(${stem}_test PRIVATE RACEBEAM_BINARY="$<TARGET_FILE:racebeam>"
                                                   RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   RACEBEAM_VERSION="${PROJECT_VERSION}")
-  add_dependencies(${stem}_test racebeam rtl)
+  add_dependencies(${stem}_test racebeam)
 endforeach()
 target_link_libraries(cli_gtkwave_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_picture_test PRIVATE LibXml2::LibXml2)
