@@ -33,7 +33,7 @@ struct Evaluation {
   volatile sig_atomic_t inside;         // RTL runs, and nothing of ours
   volatile std::uint64_t number, seen;  // of the evaluation, and when the clock looked last
   volatile int looks;                   // in vain
-  sigjmp_buf way_out;
+  jmp_buf way_out;
 } now;
 
 std::uint64_t printed = 0;
@@ -59,23 +59,16 @@ std::string in_clock() {
          std::to_string(now.clock) + ": ";
 }
 
-/// What $fatal and $error print before the end: "[5] %Fatal: mine.sv:7: Assertion failed in
-/// Vrtl.stacks: boom".
+/// What $fatal and $error print before they stop: "[5] %Error: mine.sv:7: Assertion failed in
+/// TOP.stacks: boom".
 std::string said() {
   const std::string& text = line.empty() ? last_line : line;
-  for (const auto& [mark, task] :
-       {std::pair{"%Fatal: ", "$fatal"}, std::pair{"%Error: ", "$error"}}) {
-    const auto at = text.find(mark);
-    if (at == std::string::npos) continue;
-    std::string rest = text.substr(at + std::strlen(mark));
-    const std::string where = "Assertion failed in ";
-    if (const auto name = rest.find(where); name != std::string::npos) {
-      const auto end = rest.find(": ", name + where.size());
-      rest = end == std::string::npos ? "" : rest.substr(end);
-    }
-    return task + rest;
-  }
-  return "$stop";
+  if (text.find("%Error: ") == std::string::npos && text.find("%Fatal: ") == std::string::npos)
+    return "$stop";
+  const std::string where = "Assertion failed in ";
+  const auto name = text.find(where);
+  const auto colon = name == std::string::npos ? name : text.find(": ", name + where.size());
+  return "error" + (colon == std::string::npos ? "" : text.substr(colon));
 }
 
 void print(const char* format, va_list values) {
@@ -186,7 +179,7 @@ void leave_rtl(int number) {
   sigemptyset(&handled);
   sigaddset(&handled, number);
   sigprocmask(SIG_UNBLOCK, &handled, nullptr);
-  siglongjmp(now.way_out, number);
+  longjmp(now.way_out, number);
 }
 
 const rtl_host& rtl_run_host() {
@@ -199,7 +192,7 @@ void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
   now.model = &model;
   now.clock = clock;
   now.number = now.number + 1;
-  if (const int number = sigsetjmp(now.way_out, 0)) throw left(number);
+  if (const int number = _setjmp(now.way_out)) throw left(number);
   try {
     now.inside = 1;
     step(model.top);
