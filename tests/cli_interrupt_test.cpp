@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <sstream>
+#include <optional>
 
 #include "tests/faulty_rtl.h"
 #include "tests/racebeam_processes.h"
@@ -52,9 +52,17 @@ class CliInterruptTest : public testing::Test {
   std::optional<Program> program;
 };
 
+/// What verilates would be counted too.
+void verilate_first() {
+  const ScratchFolder other;
+  Program run(other.path(), {"verify", "stacks", "--frames", "0", "--random", "1"});
+  ASSERT_EQ(run.wait(), 0) << run.err();
+}
+
 const Words Endless = {"verify", "stacks", "--frames", "0", "--random", "99999999999"};
 
 TEST_F(CliInterruptTest, TermEndsVerifyInRandomTraffic) {
+  verilate_first();
   for (const int signal : {SIGTERM, SIGINT}) {
     start(Endless);
     expect_processes(2);
@@ -64,6 +72,7 @@ TEST_F(CliInterruptTest, TermEndsVerifyInRandomTraffic) {
 }
 
 TEST_F(CliInterruptTest, KilledProgramsLeaveNobody) {
+  verilate_first();
   start(Endless);
   expect_processes(2);  // which shows that they are found
   expect_end_by(SIGKILL, "verify");
@@ -101,7 +110,7 @@ TEST_F(CliInterruptTest, TermEndsAPipeWithoutAReader) {
 
 // A frame at the signal level takes long: its end is not waited for.
 TEST_F(CliInterruptTest, TermKeepsTheWholeFramesOfASlowChip) {
-  start({"render", "demo", "--frames", "900", "--use", "all=lockstep", "-o", "out"});
+  start({"render", "demo", "--frames", "900", "--level", "signal", "-o", "out"});
   for (int n = 0; n < 12000 && !fs::exists(folder / "out/frame_0000.png"); ++n) usleep(10'000);
   expect_end_by(SIGTERM, "render");
   const auto manifest = nlohmann::json::parse(read_file(folder / "out/manifest.json"));
