@@ -26,6 +26,20 @@ void add_tt_options(CLI::App& command, TtOptions& options) {
   command.add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
       ->type_name("N");
   command
+      .add_option("--clock-hz", options.reading.clock_hz,
+                  "The clock of the chip of --tt, instead of clock_hz of info.yaml")
+      ->type_name("N");
+  command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command
+      .add_option("-I,--include", options.reading.include_folders,
+                  "Look for includes of --tt here, before its own folders; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  command.add_flag("--trust", options.reading.trust,
+                   "Let the RTL of --tt run commands and read and write any file");
+  command
       .add_option("--inputs", options.inputs,
                   "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
                   "writes them: frame,line,clock,ui,uio")
@@ -115,7 +129,10 @@ void add_bench(CLI::App& app, BenchOptions& options) {
 
 void add_verify(CLI::App& app, VerifyOptions& options) {
   CLI::App* verify = app.add_subcommand("verify", "Compare model and RTL of units in every clock");
-  verify->add_option("unit", options.units, "UNIT, UNIT=FILE.sv, or all")->type_name("UNIT");
+  verify
+      ->add_option("unit", options.units,
+                   "UNIT; UNIT=FILE.sv, UNIT=A.sv+B.sv, UNIT=LIST.f, UNIT=FOLDER; or all")
+      ->type_name("UNIT");
   verify->add_option("--scene", options.scene, "demo, or a scene file")->capture_default_str();
   verify->add_option("--frames", options.frames, "Frames of the chip, spread over the scene")
       ->type_name("N")
@@ -132,7 +149,40 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
       ->type_name("DIR")
       ->check(not_empty())
       ->capture_default_str();
+  verify->add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
   verify->add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+void add_verilate(CLI::App& app, VerilateOptions& options) {
+  CLI::App* verilate = app.add_subcommand(
+      "verilate",
+      "Make a plug-in of a unit's RTL: for build systems; elsewhere it is made by itself");
+  verilate->add_option("unit", options.unit, "Module; its ports are in sc/UNIT.h")
+      ->required()
+      ->type_name("UNIT");
+  const auto words = [&](const char* name, std::vector<std::string>& to, const char* type,
+                         const char* help) {
+    return verilate->add_option(name, to, help)->type_name(type)->check(not_empty());
+  };
+  words("file", options.files, "FILE", ".sv, .v, a list .f, or a folder; none: the unit's own RTL");
+  verilate->add_option("-o,--output", options.plugin, "Plug-in, for UNIT=OUT.so")
+      ->required()
+      ->type_name("OUT.so")
+      ->check(not_empty());
+  words("-D,--define", options.defines, "NAME[=VALUE]", "Define a macro; repeatable")
+      ->allow_extra_args(false);
+  words("-G,--parameter", options.parameters, "NAME=VALUE", "Set a parameter; repeatable")
+      ->allow_extra_args(false);
+  words("-I,--include", options.include_folders, "DIR", "Folder of includes; repeatable")
+      ->allow_extra_args(false);
+  words("-y,--library", options.libraries, "PATH",
+        "File or folder with modules that no file defines; repeatable")
+      ->allow_extra_args(false);
+  verilate->add_flag("--signals", options.signals,
+                     "Registers inside can be read, for waveforms; slower");
+  verilate->add_option("--depfile", options.dependencies, "Also write all files read, as for make")
+      ->type_name("FILE.d")
+      ->check(not_empty());
 }
 
 void add_scene(CLI::App& app, SceneOptions& options) {
@@ -169,7 +219,7 @@ void add_scene(CLI::App& app, SceneOptions& options) {
 
 void add_view(CLI::App& app, ViewOptions& options) {
   CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
-  view->add_option("scene", options.scene, "demo, or a scene file")->required()->type_name("SCENE");
+  view->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
   view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
   view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
       ->type_name("N");
@@ -184,6 +234,14 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
+  add_tt_options(*view, options);
+  view->add_option("--sound-pin", options.sound_pin,
+                   "With --tt: the pin of uio_out that is heard, 0..7; 7")
+      ->type_name("N");
+  view->add_option("--record-inputs", options.record_inputs,
+                   "With --tt: write the inputs, those of the keys too, for --inputs")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
   view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
       ->type_name("DIR")
       ->check(not_empty())

@@ -103,28 +103,43 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   return verdicts;
 }
 
-/// Each unit by itself: SystemC elaborates once in a process, so each has a process of its own.
+/// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
+UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
+                         std::uint64_t clocks) {
+  std::string text;
+  try {
+    text = forked([&] {
+      try {
+        return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
+                                   options.folder,
+                                   repeat_text(options, dut.unit, 0, options.random)))
+            .dump();
+      } catch (const RtlError& error) {
+        return Json{{"refused", error.what()}}.dump();
+      }
+    });
+  } catch (const ChildDied& death) {
+    return {dut.unit,    stimulus == Stimulus::Random ? "random" : "walk", 0, 0, 0, 0, {},
+            death.what()};
+  }
+  const Json answer = Json::parse(text);
+  if (answer.contains("refused")) throw RtlError(answer["refused"]);
+  return verdict_of(answer);
+}
+
+/// Each unit by itself: the walk of one that has a walk, and random traffic.
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knobs& k, const unit_choices& choices) {
   std::vector<UnitVerdict> verdicts;
   for (const auto& [unit, choice] : choices.by_unit) {
-    if (interrupted() || unit == WholeChip) continue;  // the whole chip has its own traffic only
+    if (unit == WholeChip) continue;  // the whole chip has its own traffic only
     const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
     try {
-      const Json answer = Json::parse(forked([&] {
-        try {
-          return to_json(verify_unit(dut, static_cast<std::uint64_t>(options.random),
-                                     static_cast<unsigned>(options.seed), options.folder,
-                                     repeat_text(options, dut.unit, 0, options.random)))
-              .dump();
-        } catch (const RtlError& error) {
-          return Json{{"refused", error.what()}}.dump();
-        }
-      }));
-      if (answer.contains("refused")) throw RtlError(answer["refused"]);
-      verdicts.push_back(verdict_of(answer));
-    } catch (const ChildDied& death) {
-      verdicts.push_back({unit, "random", 0, 0, 0, 0, {}, death.what()});
+      if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
+        verdicts.push_back(verify_alone(options, dut, Stimulus::Walk, clocks));
+      if (interrupted()) break;
+      verdicts.push_back(
+          verify_alone(options, dut, Stimulus::Random, static_cast<std::uint64_t>(options.random)));
     } catch (const Interrupted&) {
       break;
     }

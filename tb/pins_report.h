@@ -22,9 +22,9 @@ class PinsReport {
   int frames() const { return static_cast<int>(frames_.size()); }
 
   /// The whole document; one line per frame. `against`: the comparison with a reference as JSON, if
-  /// there was one. The periods hold for every frame: the monitor checks
-  /// each clock.
-  std::string text(const std::string& against = "") const;
+  /// there was one. The periods hold for every frame but in the clocks of `faults`: the monitor
+  /// checks each clock.
+  std::string text(const VgaFaults& faults, const std::string& against = "") const;
 
   /// What was found about the syncs, and the titles of the rows.
   std::string table_header() const;

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "sc/rtl_plugin.h"
 #include "tb/counted.h"
 #include "tb/csv_file.h"
 #include "tb/errors.h"
+#include "tb/verilate/project_folder.h"
 
 namespace racebeam {
 
@@ -23,7 +23,7 @@ constexpr const char* Demo = "demo";
 constexpr const char *Number = "frame", *Image = "image_crc32", *Pins = "pins_crc32";
 
 std::string path_of(const std::string& name) {
-  return name == Demo ? rtl_folder() + "/../tests/reference/chip_frames.csv" : name;
+  return name == Demo ? project_folder() + "/tests/reference/chip_frames.csv" : name;
 }
 
 /// The columns that the file's first line asks for; all if it is another line.

@@ -210,8 +210,6 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
   plan.overlays = maps_of(options.overlays);
   if (!plan.overlays.empty() && (!options.project.empty() || tracer_of(options.golden)))
     throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
-  if (!plan.vcd.empty() && !options.project.empty())
-    throw UsageError("--vcd needs the model of the chip; leave out --tt, or --vcd");
   if (!options.against.empty()) {
     plan.against = std::make_shared<ReferenceFrames>(options.against);
     check_against(plan, frames);

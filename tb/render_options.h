@@ -54,6 +54,7 @@ struct OutputPlan {
   bool checksums() const { return crc || against; }
   /// Some file is.
   bool writes() const { return !(folder + gif + wav + sheet + stats + vcd).empty(); }
+  double frames_per_second = 60;  ///< of the chip
 };
 
 /// The chip of this project, or a golden tracer, and a show.

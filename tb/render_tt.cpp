@@ -4,23 +4,23 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <optional>
 
 #include "tb/against.h"
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/pins_report.h"
-#include "tb/plugin_maker.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
+#include "tb/trace/tile_wave.h"
 #include "tb/tt_bench.h"
+#include "tb/tt_plugin.h"
+#include "tb/tt_remarks.h"
 
 namespace racebeam {
 
 namespace {
-
-constexpr int MaxFrames = 1'000'000;  // to the end of the last one
 
 struct TtPlan : OutputPlan {
   TtProject project;
@@ -38,11 +38,14 @@ void refuse_scene_options(const RenderOptions& options) {
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
-  TtPlan plan{plan_output(options, MaxFrames), {}, tt_inputs(options)};
-  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MaxFrames)
+  TtPlan plan{plan_output(options, MostTtFrames), {}, tt_inputs(options)};
+  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
-                                 MaxFrames - 1));
-  plan.project = read_tt_project(options.project);
+                                 MostTtFrames - 1));
+  if (!plan.vcd.empty()) check_waveform_name(plan.vcd);
+  if (!plan.vcd.empty() && plan.every != 1)
+    throw UsageError("--vcd needs consecutive frames; leave out --every, or --vcd");
+  plan.project = read_tt_project(options.project, options.reading);
   return plan;
 }
 
@@ -77,22 +80,29 @@ void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsR
 }  // namespace
 
 int render_tt(const RenderOptions& options) {
-  const TtPlan plan = plan_tt(options);
+  TtPlan plan = plan_tt(options);
   catch_interrupts();
-  TtRun run(plan.project, make_chip_plugin(plan.project.top, plan.project.sources), plan.inputs);
+  TtRun run(plan.project, tt_plugin(plan.project, options.reading.trust), plan.inputs);
+  plan.frames_per_second = run.found().frames_per_second();
   RenderFiles files(plan, manifest_of(plan));
-  TtBench bench(run, plan.checksums(), plan.wav.empty() ? 0 : plan.project.clock_hz, plan.first);
+  std::optional<TileWave> wave;
+  if (!plan.vcd.empty()) wave.emplace(run, plan.project.top, plan.first, plan.vcd);
+  TtBench bench(run, plan.checksums(), !plan.wav.empty(), plan.first);
   Against against(plan.against);
   PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
+  for (const std::string& remark : assumptions(plan.project, run.found())) tell(remark);
   files.run([&] { render_frames(plan, bench, files, report, against); }, bench.sound(),
-            [&] { return report.text(against.json()); });
-  print(plan.json ? report.text(against.json()) : report.table_pins());
+            [&] { return report.text(bench.faults(), against.json()); });
+  if (wave) wave->commit();
+  print(plan.json ? report.text(bench.faults(), against.json()) : report.table_pins());
   const bool differs = against.report(plan.json);
   if (bench.sound() && !bench.has_sound_pin())
     tell("uio_oe[7] was never 1: the chip has no sound pin, and the sound is silence");
   const bool whole = report.frames() == plan.frames;
   if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
-  return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;
+  for (const std::string& fault : complaints(bench.faults())) tell(fault);
+  if (differs || bench.faults().any()) return ExitDifference;
+  return whole ? ExitGood : ExitInterrupted;
 }
 
 }  // namespace racebeam

@@ -3,14 +3,16 @@
 #include "tb/tt_bench.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace racebeam {
 
-TtBench::TtBench(TtRun& run, bool crc, std::uint64_t clock_hz, int first)
+TtBench::TtBench(TtRun& run, bool crc, bool sound, int first)
     : run_(run),
       found_(run.found()),
-      vga_(found_.raster, [this](const VgaFrame& frame) { picture_ = frame; }, {crc, crc}),
-      sound_(clock_hz > 0 ? new SoundMonitor(clock_hz) : nullptr),
+      vga_(
+          found_.raster, [this](const VgaFrame& frame) { picture_ = frame; }, {crc, crc}, &faults_),
+      sound_(sound ? new SoundMonitor(std::llround(found_.clock_hz)) : nullptr),
       sound_begin_(found_.first + std::uint64_t(first) * found_.raster.frame_clocks()),
       next_(found_.first) {
   // The pins in the first clock of frame 0 are what they changed to last.

@@ -24,11 +24,13 @@ class TtBench {
     PinStats stats;
   };
 
-  /// Puts the run before frame 0. `clock_hz`: listen to uio[7] from frame `first` on; 0: do not.
-  TtBench(TtRun& run, bool crc, std::uint64_t clock_hz, int first);
+  /// Puts the run before frame 0. `sound`: listen to uio[7] from frame `first` on.
+  TtBench(TtRun& run, bool crc, bool sound, int first);
 
-  /// Simulates one frame. Throws SyncError.
+  /// Simulates one frame. Throws SyncError if the syncs are lost.
   Frame render();
+  /// What broke the mode so far.
+  const VgaFaults& faults() const { return faults_; }
   /// Clocks simulated so far.
   std::uint64_t clocks() const { return run_.clock(); }
   /// What the sound pin played so far, half scale while the chip does not drive it; nullptr if not
@@ -44,6 +46,7 @@ class TtBench {
   const FoundFrames found_;
   std::vector<PinChange> changes_;  // that no monitor has seen
   VgaFrame picture_;
+  VgaFaults faults_;
   VgaMonitor vga_;
   PinCounter counter_;
   std::unique_ptr<SoundMonitor> sound_;

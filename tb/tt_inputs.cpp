@@ -64,10 +64,11 @@ std::vector<std::uint64_t> TtInputs::clocks(const Raster& raster) const {
         throw UsageError(fmt::format("{}:{}: {} is {}; the frames of this chip have {}..{}", file_,
                                      input.row, what, value, min, max));
     };
-    check("line", input.line, FirstLine, LastLine);
+    check("line", input.line, raster.first_line, raster.last_line());
     check("clock", input.clock, 0, raster.line_clocks() - 1);
     all.push_back(static_cast<std::uint64_t>(input.frame) * raster.frame_clocks() +
-                  static_cast<std::uint64_t>(input.line - FirstLine) * raster.line_clocks() +
+                  static_cast<std::uint64_t>(input.line - raster.first_line) *
+                      raster.line_clocks() +
                   input.clock);
   }
   return all;

@@ -27,6 +27,10 @@ void refuse_tt_options(const TtOptions& options) {
   if (options.project.empty() && (options.ui || options.uio || !options.inputs.empty()))
     throw UsageError(
         "--ui, --uio and --inputs set pins of a chip that --tt names; a scene has --set");
+  const TtReading& reading = options.reading;
+  if (options.project.empty() && (reading.clock_hz || !reading.defines.empty() ||
+                                  !reading.include_folders.empty() || reading.trust))
+    throw UsageError("--clock-hz, --define, --include and --trust are about the project of --tt");
 }
 
 void refuse_with_tt(bool given, const std::string& what) {

@@ -12,11 +12,15 @@
 
 namespace racebeam {
 
+/// Frames of any chip: all up to the last that is wanted are simulated.
+constexpr int MostTtFrames = 1'000'000;
+
 /// The command line as it was written.
 struct TtOptions {
   std::string project;               ///< project folder, instead of a scene; empty: there is none
   std::optional<long long> ui, uio;  ///< input pins from the reset on
   std::string inputs;                ///< file of inputs that change in time
+  TtReading reading;                 ///< how the project is read
 };
 
 /// Of --ui, --uio and --inputs. Throws UsageError.

@@ -13,6 +13,7 @@ namespace racebeam {
 namespace {
 
 constexpr int ResetClocks = 10;
+constexpr std::uint64_t SearchStep = 105'000;  // clocks
 
 }  // namespace
 
@@ -32,10 +33,10 @@ void TtRun::reset_chip() {
 
 FoundFrames TtRun::find() {
   reset_chip();
-  const int step = Raster(project_.clocks_per_pixel).frame_clocks() / 4;
   for (;;) {
-    chip_->run(step, ahead_);
-    if (const auto found = find_frames(ahead_, chip_->clock(), project_.clocks_per_pixel))
+    chip_->run(SearchStep, ahead_);
+    if (const auto found = find_frames(ahead_, chip_->clock(),
+                                       static_cast<double>(project_.clock_hz), project_.clock_sure))
       return *found;
   }
 }
@@ -80,7 +81,6 @@ void TtRun::each_clock(std::function<void(std::uint64_t clock)> look) {
   look_ = std::move(look);
 }
 
-// Brings the chip to the clock that the run stands before.
 void TtRun::stand() {
   if (chip_->clock() == clock_) return;
   reset_chip();
@@ -94,15 +94,15 @@ void TtRun::press(TilePins pins) {
   const auto frame = static_cast<std::uint64_t>(found_.raster.frame_clocks());
   const int in_frame = static_cast<int>(at % frame), line = found_.raster.line_clocks();
   const bool ahead = chip_->clock() > clock_;
-  inputs_.change(
-      {static_cast<int>(at / frame), FirstLine + in_frame / line, in_frame % line, pins});
+  inputs_.change({static_cast<int>(at / frame), found_.raster.first_line + in_frame / line,
+                  in_frame % line, pins});
   schedule();
   next_ = std::min(next_, times_.size() - 1);
   if (ahead) stand();
 }
 
-TilePins TtRun::pins() const {
-  const auto later = std::upper_bound(times_.begin(), times_.end(), clock_);
+TilePins TtRun::pins_at(std::uint64_t clock) const {
+  const auto later = std::upper_bound(times_.begin(), times_.end(), clock);
   return later == times_.begin() ? inputs_.start()
                                  : inputs_.changes()[later - times_.begin() - 1].pins;
 }

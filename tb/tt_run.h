@@ -28,7 +28,7 @@ class TtRun {
   TtRun(const TtProject& project, const std::string& plugin, TtInputs inputs);
 
   const FoundFrames& found() const { return found_; }
-  double clock_hz() const { return static_cast<double>(project_.clock_hz); }
+  double clock_hz() const { return found_.clock_hz; }
   /// The clock it stands before, since reset.
   std::uint64_t clock() const { return clock_; }
   /// Stands at the reset again.
@@ -43,15 +43,17 @@ class TtRun {
   void press(TilePins pins);
 
   /// The inputs in this clock.
-  TilePins pins() const;
+  TilePins pins() const { return pins_at(clock_); }
+  /// The inputs as they were set in some clock since reset.
+  TilePins pins_at(std::uint64_t clock) const;
   /// All of the run, and what is to come.
   const TtInputs& inputs() const { return inputs_; }
-  /// The chip. It may be ahead of clock() until each_clock() was called, and is another after
-  /// restart().
+  /// Brings the chip itself to the clock that the run stands before; it may have been ahead.
+  void stand();
+  /// The chip, which restart() and stand() may make anew.
   const TtChip& chip() const { return *chip_; }
 
  private:
-  void stand();
   void reset_chip();
   FoundFrames find();
   void schedule();

@@ -46,7 +46,7 @@ SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& r
       period_(static_cast<std::uint64_t>(period_ps)),
       part_(std::move(part)),
       vcd_(vcd),
-      line_bits_(1 + count_bits(std::max(LastLine + 1, -FirstLine))),
+      line_bits_(1 + count_bits(std::max(raster.last_line() + 1, -raster.first_line))),
       frame_bits_(part_ ? FrameBits : ForeignFrameBits) {
   add_beam(!overview);
   const std::size_t virtual_ones = vcd_.names().size();

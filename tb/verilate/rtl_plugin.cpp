@@ -148,7 +148,10 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
   text += "\n";
   if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
   if (syntax.rising_only) text += "#define RTL_RISING_ONLY\n";
-  if (sources.signals) text += "#define RTL_SIGNALS\n";
+  const bool wrapped = sources.top == Registered;
+  if (sources.signals)
+    text += "#define RTL_SIGNALS\n#define RTL_SCOPE " +
+            (wrapped ? c_string(std::string(Registered) + ".chip") : "rtl_unit") + "\n";
   return text;
 }
 

@@ -61,6 +61,19 @@ bool is_number(const std::string& text, long long& value) {
   return true;
 }
 
+/// The text of a constant, which is "\"text\"" or a number such as 16'h6162; of all else empty.
+std::string text_of(Node node) {
+  const std::string name = attribute(node, "name");
+  if (name_of(node) != "const") return "";
+  if (name.size() >= 2 && name.front() == '"') return name.substr(1, name.size() - 2);
+  std::string digits = name.substr(std::min(name.size(), name.find("'h") + 2)), text;
+  if (name.find("'h") == std::string::npos) return "";
+  if (digits.size() % 2 != 0) digits.insert(0, "0");
+  for (std::size_t at = 0; at < digits.size(); at += 2)
+    text += static_cast<char>(std::stoi(digits.substr(at, 2), nullptr, 16));
+  return text;
+}
+
 /// One module of the tree and the names of the clock in it.
 struct Module {
   Node node = nullptr;
@@ -164,6 +177,10 @@ void SyntaxReader::read_top() {
     long long value = 0;
     const std::vector<Node> values = children(node);
     const bool whole = !values.empty() && is_number(attribute(values[0], "name"), value);
+    const auto type = types_.find(attribute(node, "dtype_id"));
+    const bool wraps = type != types_.end() && attribute(type->second, "signed") == "true" &&
+                       bits(attribute(node, "dtype_id")) == 32;
+    if (wraps) value = static_cast<std::int32_t>(value);
     syntax_.parameters.push_back({name, whole ? std::to_string(value) : ""});
   }
 }
@@ -250,6 +267,7 @@ void SyntaxReader::read_call(Node node) {
     const std::string mode = attribute(children(node).back(), "name");
     if (mode != "8'h72" && mode != "16'h7262") syntax_.calls.push_back(place(node, "$fopen"));
   }
+  if (kind == "readmem") syntax_.reads.push_back(place(node, text_of(children(node).front())));
   if (kind != "func" && kind != "task") return;
   const std::vector<Node> parts = children(node);
   if (std::all_of(parts.begin(), parts.end(), [](Node part) { return name_of(part) == "var"; }))

@@ -39,6 +39,8 @@ struct RtlSyntax {
   /// What reaches beyond the simulation: "$system", "$c", "$fopen", "$writememh", "`systemc_...",
   /// and functions without a body, such as those of DPI.
   std::vector<Place> calls;
+  /// $readmemh and $readmemb, by the file that they name; empty: it is only known in the run.
+  std::vector<Place> reads;
 };
 
 /// Elaborates the RTL, without making a plug-in. Throws RtlError with what Verilator says,

@@ -34,6 +34,18 @@ bool brings_package(const RtlSources& sources) {
                      [](const std::string& file) { return fs::path(file).filename() == Package; });
 }
 
+/// Adds the names of warnings that later versions know to Verilator's options, if it complained of
+/// such in comments of the source.
+bool allow_unknown_lint(std::vector<std::string>& words, const std::string& messages) {
+  static const std::regex Unknown("Unknown verilator lint message code: '([A-Za-z0-9_]+)'");
+  const std::size_t before = words.size();
+  for (std::sregex_iterator at(messages.begin(), messages.end(), Unknown), end; at != end; ++at) {
+    const std::string word = "-Wfuture-" + (*at)[1].str();
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return words.size() > before;
+}
+
 std::string run_verilator(const RtlSources& sources, std::vector<std::string> words,
                           const std::function<void()>& tick) {
   words.insert(words.begin(), "verilator");
@@ -42,7 +54,9 @@ std::string run_verilator(const RtlSources& sources, std::vector<std::string> wo
         "-Wfuture-WIDTHEXPAND", "-Werror-USERERROR", "-Werror-USERFATAL"})
     words.emplace_back(common);
   for (const std::string& word : source_words(sources)) words.push_back(word);
-  const ToolResult result = run_tool({words, "", {}, tick});
+  ToolResult result = run_tool({words, "", {}, tick});
+  while (!result.good && allow_unknown_lint(words, result.said))
+    result = run_tool({words, "", {}, tick});
   if (result.good) return result.said;
   std::string files;
   for (const std::string& file : sources.files) files += (files.empty() ? "" : ", ") + file;
@@ -64,8 +78,9 @@ const std::string& verilator_version() {
 }
 
 std::string verilator_runtime() {
-  const ToolResult result = run_tool({{"verilator", "--getenv", "VERILATOR_ROOT"}, "", {}, {}});
-  return trimmed(result.said) + "/include";
+  static const std::string root =
+      trimmed(run_tool({{"verilator", "--getenv", "VERILATOR_ROOT"}, "", {}, {}}).said);
+  return root + "/include";
 }
 
 std::vector<std::string> searched_folders(const RtlSources& sources) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace racebeam {
@@ -16,12 +18,13 @@ using Keys = std::map<std::string, std::function<void(ViewState&)>>;
 const std::map<std::string, ViewAction>& action_keys() {
   static const std::map<std::string, ViewAction> keys{
       {".", ViewAction::StepFrame},    {"l", ViewAction::StepLine},
-      {"k", ViewAction::StepPixel},    {"c", ViewAction::StepClock},
-      {"r", ViewAction::Rewind},       {"left", ViewAction::Back},
-      {"right", ViewAction::Forward},  {"o", ViewAction::Screenshot},
-      {"f12", ViewAction::Screenshot}, {"v", ViewAction::Record},
-      {"f", ViewAction::Fly},          {"f5", ViewAction::Reload},
-      {"escape", ViewAction::Quit},    {"q", ViewAction::Quit}};
+      {"j", ViewAction::StepTenLines}, {"k", ViewAction::StepPixel},
+      {"c", ViewAction::StepClock},    {"r", ViewAction::Rewind},
+      {"left", ViewAction::Back},      {"right", ViewAction::Forward},
+      {"o", ViewAction::Screenshot},   {"f12", ViewAction::Screenshot},
+      {"v", ViewAction::Record},       {"f", ViewAction::Fly},
+      {"f5", ViewAction::Reload},      {"escape", ViewAction::Quit},
+      {"q", ViewAction::Quit}};
   return keys;
 }
 
@@ -59,33 +62,107 @@ const Keys& state_keys() {
 
 bool pauses(ViewAction action) {
   return action == ViewAction::StepFrame || action == ViewAction::StepLine ||
-         action == ViewAction::StepPixel || action == ViewAction::StepClock;
+         action == ViewAction::StepTenLines || action == ViewAction::StepPixel ||
+         action == ViewAction::StepClock;
 }
 
-}  // namespace
+const std::vector<KeyHelp>& all_help() {
+  static const std::vector<KeyHelp> rows{
+      {"space p", "pause, go on"},
+      {". l k c", "step a frame, visible line, pixel, clock"},
+      {"j", "step ten lines"},
+      {"r", "rewind to the first frame"},
+      {"left right", "a second back, on"},
+      {"+ = -", "faster, slower"},
+      {"1 2 3", "map of slack, cost, depth", KeyHelp::Model},
+      {"0", "no map", KeyHelp::Model},
+      {"0 1 2 3", "ui_in[0] to ui_in[3]: 1, 0", KeyHelp::Tile},
+      {"4 5 6 7", "ui_in[4] to ui_in[7]: 1, 0", KeyHelp::Tile},
+      {"u", "the numbers are uio_in, ui_in", KeyHelp::Tile},
+      {"w", "write the inputs so far to a file", KeyHelp::Tile},
+      {"b", "beam position"},
+      {"i", "borders of intervals", KeyHelp::Model},
+      {"g", "gauges of FIFO and stacks", KeyHelp::Model},
+      {"t", "statistics"},
+      {"f", "free flight, paused too; back to the path", KeyHelp::Model},
+      {"w a s d", "fly ahead, left, back, right", KeyHelp::Model},
+      {"e x", "rise, sink", KeyHelp::Model},
+      {"up down", "look up, down; mouse: look around", KeyHelp::Model},
+      {"o f12", "screenshot"},
+      {"v", "record a GIF of the chip's own picture, stop"},
+      {"f5", "load the scene file again", KeyHelp::Model},
+      {"m", "sound off, on"},
+      {"f11", "full screen"},
+      {"h f1", "this help; a click: the command that explains a pixel", KeyHelp::Model},
+      {"h f1", "this help", KeyHelp::Tile},
+      {"q escape", "quit"},
+  };
+  return rows;
+}
+
+bool has_key(const KeyHelp& row, const std::string& key) {
+  std::istringstream keys(row.keys);
+  return std::find(std::istream_iterator<std::string>(keys), {}, key) !=
+         std::istream_iterator<std::string>();
+}
 
 // Keys that move the camera while it flies; the arrows have another meaning otherwise.
-bool ViewControl::flight_key(const std::string& key) const {
+bool flight_key(const std::string& key) {
   static const std::set<std::string> keys{"w", "a",    "s",  "d",    "e",
                                           "x", "left", "up", "down", "right"};
   return keys.count(key) > 0;
 }
 
+}  // namespace
+
+// What a chip of its own makes of a key.
+bool ViewControl::tile_key(const std::string& key) {
+  const auto has = [&](bool tile) {
+    return std::any_of(help(tile).begin(), help(tile).end(),
+                       [&](const KeyHelp& row) { return has_key(row, key); });
+  };
+  if (key.size() == 1 && key[0] >= '0' && key[0] <= '7') {
+    std::uint8_t& pins = state.uio_keys ? state.inputs->uio : state.inputs->ui;
+    pins = static_cast<std::uint8_t>(pins ^ 1 << (key[0] - '0'));
+  } else if (key == "u") {
+    state.uio_keys = !state.uio_keys;
+  } else if (key == "w") {
+    actions_.push(ViewAction::WriteInputs);
+  } else if (has(false) && !has(true)) {
+    actions_.push(ViewAction::ModelOnly);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 bool ViewControl::press(const std::string& key) {
+  if (state.inputs && tile_key(key)) return true;
   if (flight_key(key)) held_.insert(key);
-  if (state.flying && flight_key(key)) return true;
+  if (state.flying && flight_key(key)) {
+    tapped_.insert(key);
+    return true;
+  }
   if (const auto known = state_keys().find(key); known != state_keys().end()) {
     known->second(state);
     return true;
   }
   const auto known = action_keys().find(key);
-  if (known == action_keys().end()) return flight_key(key);
+  if (known == action_keys().end()) {
+    if (flight_key(key)) actions_.push(ViewAction::FlightHint);
+    return flight_key(key);
+  }
   if (pauses(known->second)) state.paused = true;
   actions_.push(known->second);
   return true;
 }
 
 void ViewControl::release(const std::string& key) { held_.erase(key); }
+
+void ViewControl::click(int column, int row) {
+  click_ = {column, row};
+  actions_.push(ViewAction::Explain);
+}
 
 void ViewControl::mouse(int right, int down) {
   if (!state.flying) return;
@@ -101,41 +178,35 @@ std::optional<ViewAction> ViewControl::take_action() {
 }
 
 ViewControl::Motion ViewControl::motion() const {
-  const auto held = [this](const char* plus, const char* minus) {
-    return static_cast<int>(held_.count(plus)) - static_cast<int>(held_.count(minus));
+  const auto both = [this](const char* plus, const char* minus) {
+    return held(plus) - held(minus);
   };
-  return {held("w", "s"), held("d", "a"), held("e", "x"), held("right", "left"),
-          held("down", "up")};
+  return {both("w", "s"), both("d", "a"), both("e", "x"), both("right", "left"),
+          both("down", "up")};
+}
+
+ViewControl::Motion ViewControl::take_motion() {
+  const Motion taken = motion();
+  tapped_.clear();
+  return taken;
+}
+
+bool ViewControl::steered() const {
+  const Motion m = motion();
+  return m.ahead || m.right || m.up || m.turn || m.tilt || mouse_.right || mouse_.down;
 }
 
 ViewControl::Look ViewControl::take_mouse() { return std::exchange(mouse_, {}); }
 
-const std::vector<KeyHelp>& ViewControl::help() {
-  static const std::vector<KeyHelp> rows{
-      {"space p", "pause, go on"},
-      {". l k c", "step a frame, line, pixel, clock"},
-      {"r", "rewind to the first frame"},
-      {"left right", "a second back, on"},
-      {"+ = -", "faster, slower"},
-      {"1 2 3", "map of slack, cost, depth"},
-      {"0", "no map"},
-      {"b", "beam position"},
-      {"i", "borders of intervals"},
-      {"g", "gauges of FIFO and stacks"},
-      {"t", "statistics"},
-      {"f", "free flight, back to the path"},
-      {"w a s d", "fly ahead, left, back, right"},
-      {"e x", "rise, sink"},
-      {"up down", "look up, down; mouse: look around"},
-      {"o f12", "screenshot"},
-      {"v", "record a GIF, stop"},
-      {"f5", "load the scene file again"},
-      {"m", "sound off, on"},
-      {"f11", "full screen"},
-      {"h f1", "this help"},
-      {"q escape", "quit"},
+const std::vector<KeyHelp>& ViewControl::help(bool tile) {
+  const auto rows_of = [](KeyHelp::Chip chip) {
+    std::vector<KeyHelp> rows;
+    for (const KeyHelp& row : all_help())
+      if (row.chip == KeyHelp::Any || row.chip == chip) rows.push_back(row);
+    return rows;
   };
-  return rows;
+  static const std::vector<KeyHelp> model = rows_of(KeyHelp::Model), own = rows_of(KeyHelp::Tile);
+  return tile ? own : model;
 }
 
 }  // namespace racebeam

@@ -27,20 +27,22 @@ void paint_borders(RgbImage& picture, const std::vector<IntervalEvent>& interval
 // Its line, faint, and the beam itself; nothing in the blanked lines.
 void paint_beam(RgbImage& picture, const FrameWatch& watch) {
   const BeamScreen& screen = watch.screen();
-  const int row = screen.y() - FirstVisibleLine;
-  if (watch.whole() || row < 0 || row >= VisibleRows) return;
+  const Raster& raster = watch.raster();
+  const int row = screen.y() - raster.first_visible_line;
+  if (watch.whole() || row < 0 || row >= raster.rows) return;
   const int column = watch.raster().column_at[screen.clock_of_line()];
-  picture.tint(0, row, VisibleColumns, 1, Beam, 0.6);
+  picture.tint(0, row, raster.columns, 1, Beam, 0.6);
   picture.fill(column - 1, row - 5, 3, 11, Beam);
   picture.fill(column - 5, row - 1, 11, 3, Beam);
 }
 
-void paint_help(RgbImage& picture) {
-  constexpr int Left = 150, Top = 66, Margin = 14, KeyLetters = 12, RowHeight = 15;
-  const auto& rows = ViewControl::help();
+void paint_help(RgbImage& picture, bool tile) {
+  constexpr int Left = 110, Margin = 14, KeyLetters = 12, RowHeight = 15;
+  const auto& rows = ViewControl::help(tile);
   const int height = 2 * Margin + RowHeight * static_cast<int>(rows.size());
-  picture.tint(Left, Top, VisibleColumns - 2 * Left, height, Shade, 0.88);
-  int y = Top + Margin;
+  const int top = (VisibleRows - height) / 2;
+  picture.tint(Left, top, VisibleColumns - 2 * Left, height, Shade, 0.88);
+  int y = top + Margin;
   for (const KeyHelp& row : rows) {
     picture.text(Left + Margin, y, row.keys, KeyInk);
     picture.text(Left + Margin + GlyphWidth * KeyLetters, y, row.meaning, Ink);
@@ -48,28 +50,53 @@ void paint_help(RgbImage& picture) {
   }
 }
 
+constexpr int TextMargin = 8;
+
 // Breaks lines that are longer than the picture is wide.
-void paint_error(RgbImage& picture, const std::string& error) {
-  constexpr int Margin = 8;
-  constexpr std::size_t Letters = (VisibleColumns - 2 * Margin) / GlyphWidth;
+std::vector<std::string> broken(const std::string& text) {
+  constexpr std::size_t Letters = (VisibleColumns - 2 * TextMargin) / GlyphWidth, MostLines = 12;
   std::vector<std::string> lines;
-  std::istringstream in(error);
-  for (std::string line; std::getline(in, line) && lines.size() < 12;)
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line) && lines.size() < MostLines;)
     for (; !line.empty(); line.erase(0, Letters)) lines.push_back(line.substr(0, Letters));
-  picture.fill(0, 0, VisibleColumns, 2 * Margin + GlyphHeight * static_cast<int>(lines.size()),
-               Alarm);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    picture.text(Margin, Margin + GlyphHeight * static_cast<int>(i), lines[i], Ink);
+  return lines;
+}
+
+void paint_lines(RgbImage& picture, int top, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    picture.text(TextMargin, top, line, Ink);
+    top += GlyphHeight;
+  }
+}
+
+int height_of(const std::vector<std::string>& lines, int margin) {
+  return 2 * margin + GlyphHeight * static_cast<int>(lines.size());
+}
+
+void paint_error(RgbImage& picture, const std::string& error) {
+  const std::vector<std::string> lines = broken(error);
+  picture.fill(0, 0, VisibleColumns, height_of(lines, TextMargin), Alarm);
+  paint_lines(picture, TextMargin, lines);
 }
 
 }  // namespace
 
+void paint_message(RgbImage& picture, const std::string& message, const FrameWatch& watch) {
+  constexpr int Margin = 3;
+  const std::vector<std::string> lines = broken(message);
+  const int height = height_of(lines, Margin);
+  const bool beam_below = !watch.whole() && watch.screen().y() > FirstVisibleLine + VisibleRows / 2;
+  const int top = beam_below ? 0 : VisibleRows - height;
+  picture.tint(0, top, VisibleColumns, height, Shade, 0.8);
+  paint_lines(picture, top + Margin, lines);
+}
+
 RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
                       const ViewWords& words) {
   const bool panel = state.gauges || state.text;
-  RgbImage picture(watch.screen().colours(), VisibleColumns, VisibleRows,
-                   VisibleColumns + (panel ? PanelWidth : 0),
-                   VisibleRows + (state.map ? MapBarHeight : 0));
+  const int columns = watch.raster().columns, rows = watch.raster().rows;
+  RgbImage picture(watch.screen().colours(), columns, rows, columns + (panel ? PanelWidth : 0),
+                   rows + (state.map ? MapBarHeight : 0));
   if (state.map) {
     paint_map(picture, make_map(*state.map, watch.intervals(), watch.raster()), !watch.whole());
     paint_bar(picture, VisibleRows, *state.map, words.where);
@@ -77,7 +104,7 @@ RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& 
   if (state.borders) paint_borders(picture, watch.intervals());
   if (state.beam) paint_beam(picture, watch);
   if (panel) paint_panel(picture, watch, k, state, words.statistics);
-  if (state.help) paint_help(picture);
+  if (state.help) paint_help(picture, state.inputs.has_value());
   if (!words.error.empty()) paint_error(picture, words.error);
   return picture;
 }

@@ -10,6 +10,7 @@
 #include "sc/constants.h"
 #include "tb/counted.h"
 #include "tb/image_files.h"
+#include "tb/output_file.h"
 
 namespace racebeam {
 
@@ -32,11 +33,16 @@ std::string ViewRecorder::screenshot(const RgbImage& picture, int frame) const {
   return name;
 }
 
-void ViewRecorder::start(int frame) {
-  constexpr double FramesPerSecond = 60;
+std::string ViewRecorder::inputs(const std::string& text, int frame) const {
+  const std::string name = free_name(frame, ".csv");
+  write_text(name, text);
+  return name;
+}
+
+void ViewRecorder::start(int frame, const Raster& raster) {
   gif_name_ = free_name(frame, ".gif");
   empty_ = true;
-  gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, FramesPerSecond);
+  gif_ = std::make_unique<GifWriter>(gif_name_, raster.columns, raster.rows, Rate);
 }
 
 void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {

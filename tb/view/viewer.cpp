@@ -14,7 +14,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr double FramesPerSecond = 60;
 constexpr int Leap = 60;              // frames of the arrow keys
 constexpr int Slice = 20'000;         // clocks between two looks at the time
 constexpr double LongestLag = 0.25;   // seconds that are caught up at most
@@ -30,6 +29,14 @@ Viewer::Viewer(Stage stage, Options options)
       recorder_(options_.folder) {
   go_to(options_.first);
   control.state.beam = !stage_.source->fast();
+  control.state.inputs = stage_.source->inputs();
+}
+
+// What the keys made of the inputs. While a frame is filled they wait: it has its own.
+void Viewer::press_inputs() {
+  if (fill_ || control.state.inputs == stage_.source->inputs()) return;
+  stage_.source->press(*control.state.inputs);
+  changed_ = true;
 }
 
 int Viewer::next_frame() const {
@@ -78,36 +85,50 @@ void Viewer::step_pixel() {
   }
 }
 
-void Viewer::act(ViewAction action) {
+// Up to the end of lines that show something: the next visible ones, or the last of the frame.
+void Viewer::step_lines(int lines) {
   const FrameWatch& watch = stage_.source->watch();
-  const int frame = watch.frame();
-  note_.clear();
+  do {
+    const int y = watch.screen().y();
+    clocks(watch.raster().line_clocks() - watch.screen().clock_of_line());
+    if (watch.raster().visible_line(y)) --lines;
+  } while (lines > 0 && !watch.whole());
+}
+
+void Viewer::act(ViewAction action) {
+  const int frame = stage_.source->watch().frame();
   switch (action) {
-    case ViewAction::StepFrame: clocks(stage_.source->clocks_left()); break;
-    case ViewAction::StepLine:
-      clocks(watch.raster().line_clocks() - watch.screen().clock_of_line());
-      break;
-    case ViewAction::StepPixel: step_pixel(); break;
-    case ViewAction::StepClock: clocks(1); break;
-    case ViewAction::Rewind: go_to(options_.first); break;
-    case ViewAction::Back: go_to(std::max(frame - Leap, 0)); break;
-    case ViewAction::Forward: go_to(frame + Leap); break;
-    case ViewAction::Screenshot: note_ = "wrote " + recorder_.screenshot(picture(), frame); break;
-    case ViewAction::Record: toggle_recording(); break;
-    case ViewAction::Fly: toggle_flight(); break;
-    case ViewAction::Reload: take_news(watch_.read()); break;
-    case ViewAction::Quit: quit_ = true; break;
+    case ViewAction::StepFrame: clocks(stage_.source->clocks_left()); return say(place());
+    case ViewAction::StepLine: step_lines(1); return say(place());
+    case ViewAction::StepTenLines: step_lines(10); return say(place());
+    case ViewAction::StepPixel: step_pixel(); return say(place());
+    case ViewAction::StepClock: clocks(1); return say(place());
+    case ViewAction::Rewind: go_to(options_.first); return say(place());
+    case ViewAction::Back: go_to(std::max(frame - Leap, 0)); return say(place());
+    case ViewAction::Forward: go_to(frame + Leap); return say(place());
+    case ViewAction::Screenshot:
+      return say_and_tell("wrote " + recorder_.screenshot(picture(), frame));
+    case ViewAction::Record: return toggle_recording();
+    case ViewAction::Fly: return toggle_flight();
+    case ViewAction::FlightHint: return say("that key flies, but only in a free flight: f");
+    case ViewAction::Explain: return explain();
+    case ViewAction::Reload:
+      if (options_.scene_file.empty()) return say("the built-in demo has no file to load again");
+      return take_scene(watch_.read());
+    case ViewAction::WriteInputs:
+      return say_and_tell("wrote " + recorder_.inputs(stage_.source->inputs_text(), frame));
+    case ViewAction::ModelOnly:
+      return say("maps, intervals, gauges, flight and scene files are of the model only");
+    case ViewAction::Quit: quit_ = true; return;
   }
 }
 
 // A GIF begins with the frame on show.
 void Viewer::toggle_recording() {
   const FrameWatch& watch = stage_.source->watch();
-  if (recorder_.recording()) {
-    note_ = recorder_.stop();
-    return;
-  }
-  recorder_.start(watch.frame());
+  if (recorder_.recording()) return say_and_tell(recorder_.stop());
+  recorder_.start(watch.frame(), watch.raster());
+  say("recording " + recorder_.gif_name() + "; v: stop");
   if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
 }
 
@@ -119,7 +140,7 @@ void Viewer::set_stage(Stage stage, int frame) {
   go_to(std::min(frame, stage_.show.frames() - 1));
 }
 
-void Viewer::take_news(SceneWatch::News news) {
+void Viewer::take_scene(SceneWatch::News news) {
   changed_ = true;
   error_ = news.error;
   if (!news.show) return;
@@ -127,8 +148,8 @@ void Viewer::take_news(SceneWatch::News news) {
     const bool flying = flight_.has_value();
     const int frame = flying ? flight_frame_ : stage_.source->watch().frame();
     set_stage(options_.restage(*news.show), frame);
-    note_ = "the scene file was loaded again";
     if (flying) toggle_flight();
+    say("the scene file was loaded again");
   } catch (const UsageError& error) {
     error_ = error.what();
   }
@@ -138,7 +159,7 @@ void Viewer::look_for_news(double elapsed) {
   since_news_ += elapsed;
   if (since_news_ < NewsInterval) return;
   since_news_ = 0;
-  if (auto news = watch_.look()) take_news(std::move(*news));
+  if (auto news = watch_.look()) take_scene(std::move(*news));
 }
 
 // The pin is clocked by the beam: other clocks a pixel would make other tones.
@@ -148,11 +169,7 @@ bool Viewer::audible() const {
          stage_.k.clocks_per_pixel == chip.clocks_per_pixel && stage_.k.speed == chip.speed;
 }
 
-// The last of so many frames; the sound of all.
-void Viewer::show_frames(int frames) {
-  finish_frame();
-  if (!flight_ && frames > 1)
-    stage_.source->seek((next_frame() + frames - 1) % stage_.show.frames());
+void Viewer::play_frames(int frames) {
   if (audible())
     for (int i = 0; i < std::min(frames, MostSound); ++i) {
       const std::vector<float> more =
@@ -160,6 +177,14 @@ void Viewer::show_frames(int frames) {
       samples_.insert(samples_.end(), more.begin(), more.end());
     }
   sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();
+}
+
+// The last of so many frames; the sound of all.
+void Viewer::show_frames(int frames) {
+  finish_frame();
+  if (!flight_ && frames > 1)
+    stage_.source->seek((next_frame() + frames - 1) % stage_.show.frames());
+  play_frames(frames);
   passed_ = frames;
   clocks(stage_.source->clocks_left());
 }
@@ -167,12 +192,13 @@ void Viewer::show_frames(int frames) {
 void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
   const Raster& raster = stage_.source->watch().raster();
   const int speed = control.state.speed;
-  const double clock_rate = FramesPerSecond * raster.frame_clocks() * std::exp2(speed);
+  const double clock_rate = stage_.source->clock_hz() * std::exp2(speed);
   budget_ = std::min(budget_ + elapsed * clock_rate, LongestLag * clock_rate);
   if (!stage_.source->fast() || speed < 0) {
     while (budget_ >= 1 && !finished()) {
       budget_ -= clocks(std::min(Slice, static_cast<int>(budget_)));
-      if (!in_time() || stage_.source->watch().whole()) break;
+      if (!in_time()) break;
+      if (stage_.source->watch().whole() && budget_ < raster.frame_clocks()) break;
     }
     return;
   }
@@ -184,9 +210,12 @@ void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
 
 void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   since_frame_ += elapsed;
-  flight_time_ += elapsed;
+  flight_time_ = control.steered() ? flight_time_ + elapsed : 0;
+  age_message(elapsed);
   look_for_news(elapsed);
-  bool new_picture = fill_;  // to be seen before it runs on
+  press_inputs();
+  bool acted = false;
+  const bool filled = fill_;
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
   while (fill_ && !stage_.source->fast()) {
     clocks(Slice);
@@ -194,19 +223,22 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   }
   while (const auto action = control.take_action()) {
     act(*action);
-    new_picture = changed_ = true;
+    acted = changed_ = true;
   }
+  say_changes(acted);
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
-  if (!new_picture && !control.state.paused && !finished()) run(elapsed, in_time);
+  // A new picture is seen before it runs on.
+  if (!filled && !acted && !finished()) {
+    if (!control.state.paused) run(elapsed, in_time);
+    else if (flight_ && control.steered()) fly_while_paused(elapsed);
+  }
+  if (!fill_) control.state.inputs = stage_.source->inputs();
 }
 
-RgbImage Viewer::picture() const {
-  const int frame = stage_.source->watch().frame();
-  ViewWords words{fmt::format("{} frame {}", stage_.show.name(), frame), "", error_};
-  if (control.state.text) words.statistics = statistics();
-  return view_picture(stage_.source->watch(), stage_.k, control.state, words);
+std::vector<float> Viewer::take_sound() {
+  const std::vector<float> own = stage_.source->take_sound();
+  if (audible()) samples_.insert(samples_.end(), own.begin(), own.end());
+  return std::exchange(samples_, {});
 }
-
-std::vector<float> Viewer::take_sound() { return std::exchange(samples_, {}); }
 
 }  // namespace racebeam
