@@ -12,6 +12,7 @@
 #include "tb/command_line.h"
 #include "tb/console.h"
 #include "tb/guarded.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
@@ -26,6 +27,8 @@ void report(const sc_core::sc_report& message, const sc_core::sc_actions& action
 
 int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_handler(report);
+  keep_stdout();
+  end_on_interrupts();
   return guarded([&] { return run_command_line(argc, argv); });
 }
 

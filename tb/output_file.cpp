@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/output_file.h"
 
-#include <signal.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -10,9 +10,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <map>
-#include <regex>
 #include <system_error>
+
+#include "tb/errors.h"
+#include "tb/interrupt.h"
+#include "tb/leftovers.h"
 
 namespace racebeam {
 
@@ -32,31 +34,21 @@ std::string extension_of(const std::string& path) {
 
 namespace {
 
-// The process in a name such as ".a.123-4.gif", and the name without it, "a.gif"; 0 in others.
-int process_of(const std::string& name, std::string& of) {
-  static const std::regex form(R"(\.(.+)\.([0-9]{1,9})-[0-9]+(\.[^.]*)?)");
-  std::smatch parts;
-  if (!std::regex_match(name, parts, form)) return 0;
-  of = parts[1].str() + parts[3].str();
-  return std::stoi(parts[2]);
-}
-
-// Removes what OutputFiles for `target` have left in processes that were killed. A folder is looked
-// through once: what comes later is of processes that live.
-void remove_leftovers(const fs::path& folder, const fs::path& target) {
-  static std::map<fs::path, std::multimap<std::string, fs::path>> all;
+/// A pipe without a reader is waited for, but not for ever: the user may want to stop.
+std::FILE* open_file(const std::string& path) {
   std::error_code error;
-  const auto [at, is_new] = all.try_emplace(fs::absolute(folder, error));
-  std::string of;
-  if (is_new)
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      const int process = process_of(entry.path().filename().string(), of);
-      if (process > 0 && kill(process, 0) != 0 && errno == ESRCH)
-        at->second.emplace(of, entry.path());
+  if (!fs::is_fifo(path, error)) return std::fopen(path.c_str(), "wb");
+  constexpr int Pause = 20'000;  // microseconds
+  for (;;) {
+    const int file = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file >= 0) {
+      fcntl(file, F_SETFL, O_WRONLY);
+      return fdopen(file, "wb");
     }
-  const auto [first, end] = at->second.equal_range(target.filename().string());
-  for (auto left = first; left != end; ++left) fs::remove(left->second, error);
-  at->second.erase(first, end);
+    if (errno != ENXIO) return nullptr;
+    if (interrupted()) throw Interrupted();
+    usleep(Pause);
+  }
 }
 
 }  // namespace
@@ -81,8 +73,8 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (!fs::is_directory(folder, error)) {
     throw OutputError(path, fs::exists(folder, error) ? ENOTDIR : ENOENT, "");
   }
-  remove_leftovers(folder, target);
-  const std::string name = "." + target.stem().string() + "." + std::to_string(getpid()) + "-" +
+  remove_leftovers(folder.string());
+  const std::string name = "." + target.stem().string() + "." + owner_mark() + "-" +
                            std::to_string(++serial) + target.extension().string();
   temporary_ = (target.has_parent_path() ? folder / name : fs::path(name)).string();
 }
@@ -99,7 +91,7 @@ void OutputFile::remove_temporary() {
 
 void OutputFile::write(const void* data, std::size_t size) {
   errno = 0;
-  if (!stream_) stream_ = std::fopen(temporary_.c_str(), "wb");
+  if (!stream_) stream_ = open_file(temporary_);
   if (!stream_) throw OutputError(path_, errno, "cannot open");
   if (std::fwrite(data, 1, size, stream_) != size) throw OutputError(path_, errno, "short write");
 }

@@ -49,7 +49,8 @@ class OutputFile {
   /// themselves; others use write().
   const std::string& temporary_path() const { return temporary_; }
 
-  /// Appends `size` bytes. Throws OutputError, also on a full disk.
+  /// Appends `size` bytes. Throws OutputError, also on a full disk; Interrupted while nobody reads
+  /// a pipe.
   void write(const void* data, std::size_t size);
 
   /// Ends the writing. Throws OutputError if something could not be written, nothing was written,

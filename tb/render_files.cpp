@@ -14,6 +14,8 @@
 
 #include "tb/console.h"
 #include "tb/counted.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
@@ -84,14 +86,15 @@ void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* s
   bool quiet = false;
   try {
     render();
-  } catch (const SyncError&) {
-    failure = std::current_exception();
+  } catch (const Interrupted&) {
+    // fewer frames
   } catch (const ClosedPipe&) {
     failure = std::current_exception();
     quiet = true;
-  } catch (const OutputError&) {
+  } catch (...) {
     failure = std::current_exception();
   }
+  time_to_finish();
   try {
     finish(sound, stats());  // what belongs to the whole frames so far
   } catch (const OutputError&) {

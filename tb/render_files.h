@@ -34,8 +34,8 @@ class RenderFiles {
   /// A frame of which there is the picture alone. Throws OutputError.
   void add(int frame, const std::string& part, const VgaFrame& picture);
 
-  /// Calls `render`, which adds frames, and then finish(). If either throws SyncError or
-  /// OutputError, what belongs to the whole frames is kept, which is told, and that is thrown on.
+  /// Calls `render`, which adds frames, and then finish(). If either throws, what belongs to the
+  /// whole frames is kept, which is told, and that is thrown on; but Interrupted is a good end.
   void run(const std::function<void()>& render, const SoundMonitor* sound,
            const std::function<std::string()>& stats);
 

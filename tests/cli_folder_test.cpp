@@ -172,19 +172,5 @@ TEST_F(CliFolderTest, FramesBeyondTheEndAreTold) {
   EXPECT_EQ(manifest()["frames"], (json{0, 1, 12798}));
 }
 
-// Files that a run has left behind which was killed are gone after the next one that writes them.
-TEST_F(CliFolderTest, LeftoversOfDeadRunsAreRemoved) {
-  fs::create_directory(folder / "o");
-  const std::string dead = "999999999", mine = std::to_string(getpid());
-  for (const std::string& name :
-       Words{".frame_0000." + dead + "-4.png", "..other." + dead + "-4.png", ".x.png",
-             ".frame_0000." + mine + "-4.png", ".frame_0000.png"})
-    std::ofstream(folder / "o/" + name) << "half";
-  render({});
-  EXPECT_EQ(names(), (std::set<std::string>{"..other." + dead + "-4.png", ".x.png",
-                                            ".frame_0000." + mine + "-4.png", ".frame_0000.png",
-                                            "frame_0000.png", "manifest.json", "stats.json"}));
-}
-
 }  // namespace
 }  // namespace racebeam

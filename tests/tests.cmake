@@ -158,10 +158,12 @@ foreach(
   cli_folder
   cli_golden
   cli_gtkwave
+  cli_interrupt
   cli_jobs
   cli_overlay
   cli_render
   cli_rtl
+  cli_rtl_faults
   cli_scene
   cli_trace
   cli_trace_around
@@ -198,6 +200,7 @@ target_link_libraries(cli_overlay_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_event_test PRIVATE racebeam_trace)
 target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)
 if(SDL2_FOUND)
+  target_compile_definitions(cli_rtl_faults_test PRIVATE RACEBEAM_WINDOW)
   target_link_libraries(cli_view_test PRIVATE racebeam_view_parts PkgConfig::OIIO)
 endif()
 

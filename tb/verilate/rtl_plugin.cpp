@@ -36,6 +36,7 @@ void write(const std::string& path, const std::string& text) {
 }
 
 std::string glue_file() { return project_folder() + "/sc/rtl_glue.cc.in"; }
+std::string runtime_header() { return project_folder() + "/sc/rtl_runtime.h"; }
 
 std::string compiler() {
   const char* named = std::getenv("CXX");
@@ -57,9 +58,9 @@ class Compiler {
     if (has_tool("ccache")) words.insert(words.begin(), "ccache");
     for (const std::string& word :
          {std::string("-std=c++17"), std::string("-O3"), std::string("-pipe"),
-          std::string("-DVL_USER_FATAL"), std::string("-fPIC"), std::string("-fvisibility=hidden"),
-          std::string("-fno-gnu-unique"), std::string("-w"), std::string("-I."),
-          "-I" + project_folder()})
+          std::string("-fno-finite-loops"), std::string("-include"), runtime_header(),
+          std::string("-fPIC"), std::string("-fvisibility=hidden"), std::string("-fno-gnu-unique"),
+          std::string("-w"), std::string("-I."), "-I" + project_folder()})
       words.push_back(word);
     words.insert(words.end(), {"-isystem", runtime, "-isystem", runtime + "/vltstd", "-c", source,
                                "-o", object});
@@ -150,7 +151,8 @@ std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& circu
 
 /// Verilator's run time, compiled once for all plug-ins.
 std::string runtime_object(const std::string& source, const MakingLine& line) {
-  const std::string key = content_key({source, verilator_version(), compiler()});
+  const std::string key =
+      content_key({source, verilator_version(), compiler(), file_key(runtime_header())});
   return cached(key + ".o", [&](const std::string& out) {
     const WorkFolder work;
     Compiler(work.path(), line.tick()).compile(verilator_runtime() + "/" + source, out);
@@ -194,7 +196,7 @@ std::string rtl_plugin(const RtlSources& sources) {
   const std::string key =
       content_key({Recipe, content, sources.kind == RtlSources::Chip ? "chip" : "unit",
                    sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
-                   file_key(project_folder() + "/sc/rtl_model.h")});
+                   file_key(project_folder() + "/sc/rtl_model.h"), file_key(runtime_header())});
   return cached(key + ".so",
                 [&](const std::string& out) { make(sources, read_rtl_syntax(sources), out); });
 }
