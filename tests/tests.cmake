@@ -204,6 +204,15 @@ if(SDL2_FOUND)
   target_link_libraries(cli_view_test PRIVATE racebeam_view_parts PkgConfig::OIIO)
 endif()
 
+# Netlists by yosys
+add_racebeam_test(netlist cli racebeam_scene nlohmann_json::nlohmann_json GTest::gmock)
+add_racebeam_test(netlist_gates long racebeam_scene nlohmann_json::nlohmann_json GTest::gmock)
+foreach(stem netlist netlist_gates)
+  target_compile_definitions(${stem}_test PRIVATE RACEBEAM_BINARY="$<TARGET_FILE:racebeam>"
+                                                  RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  add_dependencies(${stem}_test racebeam)
+endforeach()
+
 # All frames of the demo are the taped-out chip's; two minutes
 add_test(NAME reference/AllFramesOfTheDemo COMMAND racebeam render demo --frames 12799 --jobs 2
                                                    --against demo)
