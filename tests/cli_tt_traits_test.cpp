@@ -38,14 +38,16 @@ class CliTtTraitsTest : public testing::Test {
     fs::remove_all(folder / "bars");
     fs::copy(Bars, folder / "bars", fs::copy_options::recursive);
   }
-  /// Renders the bars: exit code, and what is said. The first word may be "-", and is then absent.
+  /// Renders the bars: exit code, what is said, and what is not.
   void expect_bars(const Words& more, int code, const Words& said, const std::string& unsaid = "") {
     Words words = {"render", "--tt", "bars", "--json", "--crc"};
     words.insert(words.end(), more.begin(), more.end());
     Program run(folder.path(), words);
     EXPECT_EQ(run.wait(), code) << run.err();
     for (const std::string& text : said) EXPECT_THAT(run.err(), HasSubstr(text));
-    if (!unsaid.empty()) EXPECT_THAT(run.err(), Not(HasSubstr(unsaid)));
+    if (!unsaid.empty()) {
+      EXPECT_THAT(run.err(), Not(HasSubstr(unsaid)));
+    }
     stats = run.out().empty() ? nlohmann::json() : nlohmann::json::parse(run.out());
   }
   /// The bars with a line of Verilog in their top module are refused.
