@@ -17,6 +17,7 @@
 #include "tb/progress.h"
 #include "tb/set_knob.h"
 #include "tb/signal_bench.h"
+#include "tb/trace/difference_wave.h"
 #include "tb/use_option.h"
 #include "tb/verify_report.h"
 #include "tb/verify_unit.h"
@@ -79,10 +80,10 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
                         seconds,      {}};
     if (const auto& d = unit->first()) {
       const BeamPlace place = place_of(d->clock, frames, raster);
-      const DifferenceContext context{"in " + place_text(place, raster),
-                                      repeat_text(options, unit->unit(), options.frames, 0),
-                                      closer_text(options, unit->unit(), place.frame),
-                                      save_window(*d, verdict.traffic, k, options.folder), k};
+      const DifferenceContext context{
+          "in " + place_text(place, raster), repeat_text(options, unit->unit(), options.frames, 0),
+          closer_text(options, unit->unit(), place.frame),
+          save_chip_window(*d, {show, raster, frames}, k, options.folder), k};
       verdict.first =
           FirstDifference{d->port, d->clock, d->expected, d->got, place, explain(*d, context)};
     }
@@ -95,22 +96,34 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knobs& k, const unit_choices& choices) {
   std::vector<UnitVerdict> verdicts;
+  const std::int64_t units =
+      static_cast<std::int64_t>(choices.by_unit.size() - choices.by_unit.count(WholeChip));
+  std::int64_t done = 0;  // clocks of the units before
+  Progress progress(units * options.random, "clocks of random traffic");
   for (const auto& [unit, choice] : choices.by_unit) {
     if (interrupted() || unit == WholeChip) continue;  // the whole chip has its own traffic only
     const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
+    progress.draw(done, static_cast<std::uint64_t>(done), unit);
     const std::string text = forked([&] {
       try {
         return to_json(verify_unit(dut, static_cast<std::uint64_t>(options.random),
                                    static_cast<unsigned>(options.seed), options.folder,
-                                   repeat_text(options, dut.unit, 0, options.random)))
+                                   repeat_text(options, dut.unit, 0, options.random),
+                                   [&, name = dut.unit](std::uint64_t clocks) {
+                                     const std::int64_t all =
+                                         done + static_cast<std::int64_t>(clocks);
+                                     progress.draw(all, static_cast<std::uint64_t>(all), name);
+                                   }))
             .dump();
       } catch (const RtlError& error) {
         return Json{{"refused", error.what()}}.dump();
       }
     });
+    progress.clear();
     const Json answer = Json::parse(text);
     if (answer.contains("refused")) throw RtlError(answer["refused"]);
     verdicts.push_back(verdict_of(answer));
+    done += options.random;
   }
   return verdicts;
 }
@@ -151,7 +164,7 @@ int command_verify(const VerifyOptions& options) {
     print(verdict_table(verdicts));
   }
   for (const UnitVerdict& verdict : verdicts)
-    if (verdict.first) tell(verdict.first->text);
+    if (verdict.first) tell_difference(verdict.first->text);
   if (interrupted()) return ExitInterrupted;
   return differs ? ExitDifference : ExitGood;
 }

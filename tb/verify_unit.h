@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,9 +46,11 @@ struct UnitUnderTest {
 std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut);
 
 /// Compares model and RTL over `clocks` clocks of RandomTraffic, up to a difference, which is
-/// explained and saved in `folder`; `repeat` is the command for it. Only one such comparison and
-/// nothing else of SystemC may happen in a process. Throws RtlError, OutputError.
+/// explained and saved in `folder`; `repeat` is the command for it. `compared` is told now and then
+/// how many clocks are done. Only one such comparison and nothing else of SystemC may happen in a
+/// process. Throws RtlError, OutputError.
 UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed,
-                        const std::string& folder, const std::string& repeat);
+                        const std::string& folder, const std::string& repeat,
+                        const std::function<void(std::uint64_t)>& compared);
 
 }  // namespace racebeam

@@ -28,6 +28,7 @@ bool TraceRun::go_to(std::int64_t clock) {
     const std::int64_t step = std::min(clock - clock_, line - clock_ % line);
     bench_.advance(static_cast<int>(step));
     clock_ += step;
+    if (each_line_) each_line_(clock_);
   }
   return !interrupted();
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 
 #include "tb/signal_bench.h"
 #include "tb/trace/trace_window.h"
@@ -29,6 +30,9 @@ class TraceRun {
   /// Calls `look` with the ordinal of every clock from here on, its wires settled; an empty one
   /// ends that.
   void each_clock(std::function<void(std::int64_t)> look);
+  /// Calls `look` after every line that go_to() passes, and at its end, with the clock() there; an
+  /// empty one ends that.
+  void each_line(std::function<void(std::int64_t)> look) { each_line_ = std::move(look); }
   /// Lets `look` see the clock in which the run stands.
   void settle() { bench_.settle(); }
 
@@ -36,6 +40,7 @@ class TraceRun {
   SignalBench& bench_;
   const Raster& raster_;
   std::int64_t clock_;
+  std::function<void(std::int64_t)> each_line_;
   std::int64_t epoch_;  // of the kernel's time, in clocks: ordinal of its time 0
 };
 

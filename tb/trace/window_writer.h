@@ -10,6 +10,7 @@
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
 #include "tb/trace/trace_run.h"
+#include "tb/trace/trace_size.h"
 
 namespace racebeam {
 
@@ -36,6 +37,8 @@ struct WindowWriter {
     std::int64_t clocks;
     int readable;  ///< clocks that are to be wide enough to be read
   };
+  /// Says how large a long one will be, and whether it fits.
+  void announce(const TraceSize& size) const;
   int finish(TraceFiles& files, const VcdWriter& vcd, const Written& written) const;
 };
 
