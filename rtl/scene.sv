@@ -84,7 +84,7 @@ module scene (
       end
     end else begin
       {size_x, size_y, size_z} = {10'd96, 10'd16, 10'd96};
-      place_y = -CornerBits'(272);
+      place_y = -(CornerBits'(272));  // yosys takes -N'(x) for (-N)'(x)
     end
   end
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "sc/rtl_plugin.h"
+#include "sc/rtl_parameters.h"
 
 namespace racebeam {
 
@@ -34,7 +34,8 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     else outputs_.push_back({pin, value(rtl)});
   }
   std::string other;
-  for (const std::string& parameter : other_parameters(model(), k)) other += " " + parameter;
+  for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), k))
+    other += " " + parameter.name + "=" + std::to_string(parameter.value);
   if (!other.empty())
     throw RtlError(plugin + " was built with other parameters; build it with" + other);
 }

@@ -23,6 +23,10 @@ struct rtl_model {
   int port_count;
   const rtl_port* signals;  ///< inside, by names such as "u_stacks.sp_i"; where they are public
   int signal_count;
+  /// Of the source, one a line, "KIND FILE:LINE NAME": `top` module; `file` read; `falling`: a
+  /// register on the falling edge of the clock; `loop` that no constant ends; `call` of what
+  /// reaches beyond the simulation; `circular` signal.
+  const char* remarks;
   void* top;
   void (*eval)(void* top);  ///< the inputs have changed
   /// A whole clock, from its rising edge on, of a module with a clock `clk_i` or `clk`; it alone

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "sc/rtl_instance.h"
-#include "sc/rtl_plugin.h"
 
 namespace racebeam {
 
@@ -16,12 +15,9 @@ namespace racebeam {
 template <class Unit>
 class rtl_twin : public Unit::pins, public probed {
  public:
-  /// From the plug-in at `path`; the unit's own RTL if that is empty. Throws RtlError.
-  explicit rtl_twin(const sc_core::sc_module_name& name, const knobs& k = {},
-                    const std::string& path = "")
-      : Unit::pins(name),
-        rtl_(path.empty() ? rtl_plugin_path(Unit::unit_name, k) : path, Unit::unit_name,
-             ports_of(*this), k) {
+  /// From a plug-in. Throws RtlError.
+  rtl_twin(const sc_core::sc_module_name& name, const knobs& k, const std::string& plugin)
+      : Unit::pins(name), rtl_(plugin, Unit::unit_name, ports_of(*this), k) {
     SC_HAS_PROCESS(rtl_twin);
     SC_METHOD(comb);
     for (any_port* port : ports_of(*this))

@@ -14,7 +14,7 @@ struct unit_choice {
   enum implementation { Model, Rtl };
   implementation driver = Model;  ///< drives the unit's wires
   bool lockstep = false;          ///< the RTL runs beside the model and is compared with it
-  std::string plugin;             ///< of the RTL; empty: the unit's own
+  std::string plugin;             ///< of the RTL
 };
 
 /// By unit; units that are not named are models.

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 
-#include "sc/rtl_plugin.h"
 #include "tb/bench_process.h"
 #include "tb/plugin_maker.h"
 #include "tb/signal_bench.h"
@@ -13,6 +12,7 @@
 #include "tb/tlm_bench.h"
 #include "tb/tt_chip.h"
 #include "tb/tt_project.h"
+#include "tb/verilate/project_folder.h"
 
 namespace racebeam {
 
@@ -113,7 +113,7 @@ void register_tlm_parts(const BenchOptions& options) {
 void register_verilated(int repeats) {
   const TtProject project = read_tt_project(rtl_folder());
   const auto chip = std::make_shared<TtChip>(make_chip_plugin(project.top, project.sources),
-                                             project.source_folder, 0, 0);
+                                             project.source_folder, TilePins{});
   chip->reset(1);
   set_up(benchmark::RegisterBenchmark("verilated: tt_um_racebeam",
                                       [chip](benchmark::State& state) {
@@ -127,10 +127,13 @@ void register_verilated(int repeats) {
 }
 
 std::vector<ChipMix> chip_mixes() {
-  const unit_choice rtl{unit_choice::Rtl, false, ""}, lockstep{unit_choice::Model, true, ""};
+  const PluginMaker plugins({}, nullptr);
   std::vector<ChipMix> mixes = {{"all models", {}}};
   ChipMix all_rtl{"all RTL", {}}, all_lockstep{"all in lockstep", {}};
   for (const std::string& unit : chip_units(false)) {
+    const std::string plugin = plugins.own(unit);
+    const unit_choice rtl{unit_choice::Rtl, false, plugin};
+    const unit_choice lockstep{unit_choice::Model, true, plugin};
     mixes.push_back({unit + " RTL", {{{unit, rtl}}}});
     all_rtl.units.by_unit[unit] = rtl;
     all_lockstep.units.by_unit[unit] = lockstep;

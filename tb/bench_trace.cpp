@@ -38,7 +38,7 @@ void traced(TraceRun& run, std::int64_t end, bool overview) {
 
 void asked(TraceRun& run, std::int64_t end) {
   run.bench().watch_registers();
-  Condition condition("u_subdivider.sd_q == 7 && line == 0", run.bench(), raster);
+  Condition condition("u_subdivider.sd_q == 7 && line == 0", chip_signals(run.bench()), raster);
   bool held = false;
   run.each_clock([&](std::int64_t clock) { held = held || condition.holds(clock); });
   run.go_to(end);

@@ -14,6 +14,39 @@ const CLI::Validator& not_empty() {
   return validator;
 }
 
+void add_tt_options(CLI::App& command, TtOptions& options) {
+  command
+      .add_option("--tt", options.project,
+                  "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) "
+                  "and run it")
+      ->type_name("DIR")
+      ->check(not_empty());
+  command.add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  command.add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
+      ->type_name("N");
+  command
+      .add_option("--clock-hz", options.reading.clock_hz,
+                  "The clock of the chip of --tt, instead of clock_hz of info.yaml")
+      ->type_name("N");
+  command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command
+      .add_option("-I,--include", options.reading.include_folders,
+                  "Look for includes of --tt here, before its own folders; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  command.add_flag("--trust", options.reading.trust,
+                   "Let the RTL of --tt run commands and read and write any file");
+  command
+      .add_option("--inputs", options.inputs,
+                  "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
+                  "writes them: frame,line,clock,ui,uio")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
+}
+
 void add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* render = app.add_subcommand("render", "Render frames as files and statistics");
   render
@@ -45,16 +78,13 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "UNIT may be all; several with commas; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
-  file("--tt", options.project, "DIR",
-       "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) and run it");
-  render->add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
-      ->type_name("N");
-  render->add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
-      ->type_name("N");
+  add_tt_options(*render, options);
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");
-  file("--gif", options.gif, "FILE", "Animated GIF");
+  file("--gif", options.gif, "FILE",
+       "Animated GIF at the chip's speed, 60 frames/s; with --every, at most 0.2 s "
+       "a frame");
   number("--gif-scale", options.gif_scale, "Shrink the GIF N times in both axes, 1..8");
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
   file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
@@ -75,6 +105,9 @@ void add_render(CLI::App& app, RenderOptions& options) {
                    "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
       ->type_name("MAP")
       ->allow_extra_args(false);
+  file("--against", options.against, "demo|FILE.csv",
+       "Compare picture and pins of each frame with checksums: demo, those of the taped-out chip, "
+       "or frame,image_crc32,pins_crc32 in a file");
   render->add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
   render->add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
 }
@@ -150,12 +183,12 @@ void add_scene(CLI::App& app, SceneOptions& options) {
 
 void add_view(CLI::App& app, ViewOptions& options) {
   CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
-  view->add_option("scene", options.scene, "demo, or a scene file")->required()->type_name("SCENE");
+  view->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
   view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
   view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
       ->type_name("N");
   view->add_option("--level", options.level,
-                   "core: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
+                   "tlm: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
                    "own speed; tlm without --use")
       ->type_name("LEVEL")
       ->check(not_empty());
@@ -165,6 +198,14 @@ void add_view(CLI::App& app, ViewOptions& options) {
   view->add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
+  add_tt_options(*view, options);
+  view->add_option("--sound-pin", options.sound_pin,
+                   "With --tt: the pin of uio_out that is heard, 0..7; 7")
+      ->type_name("N");
+  view->add_option("--record-inputs", options.record_inputs,
+                   "With --tt: write the inputs, those of the keys too, for --inputs")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
   view->add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
       ->type_name("DIR")
       ->check(not_empty())

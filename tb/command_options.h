@@ -28,6 +28,9 @@ void add_view(CLI::App& app, ViewOptions& options);
 void add_explain(CLI::App& app, ExplainOptions& options);
 void add_trace(CLI::App& app, TraceOptions& options);
 
+/// The options of a Tiny Tapeout chip, of a command that can run one.
+void add_tt_options(CLI::App& command, TtOptions& options);
+
 /// Refuses an empty name.
 const CLI::Validator& not_empty();
 

@@ -62,6 +62,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
   trace->add_option("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
       ->type_name("N")
       ->capture_default_str();
+  add_tt_options(*trace, options);
   list("--set", options.assignments, "KNOB=VALUE", "Set a knob (`racebeam knobs`); repeatable");
   list("--use", options.units, "UNIT=IMPLEMENTATION",
        "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "tb/against.h"
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/frame_renderer.h"
@@ -29,7 +30,7 @@ namespace {
 
 // Simulates the planned frames; ends early when interrupted.
 void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* sound,
-                   RenderFiles& files, StatsReport& report) {
+                   RenderFiles& files, StatsReport& report, Against& against) {
   Progress progress(plan.frames);
   std::uint64_t clocks = 0;
   progress.draw(0, 0);
@@ -40,6 +41,7 @@ void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* so
     const std::string part = plan.show.part(frame->number);
     if (sound) sound->play(frame->number);
     files.add(*frame, part);
+    against.add(frame->number, frame->picture);
     report.add(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden);
     progress.clear();
     if (!plan.json)
@@ -94,18 +96,20 @@ int command_render(const RenderOptions& options) {
     chip = std::make_shared<FrameRenderer>(plan, alone && !plan.wav.empty());
     return [chip](int index) { return chip->render(index); };
   });
+  Against against(plan.against);
   StatsReport report(plan.show.name(), plan.level, plan.k);
-  files.run([&] { render_frames(plan, frames, track ? &*track : nullptr, files, report); },
+  files.run([&] { render_frames(plan, frames, track ? &*track : nullptr, files, report, against); },
             track  ? &track->sound()
             : chip ? chip->bench().sound()
                    : nullptr,
-            [&] { return report.text(); });
+            [&] { return report.text(against.json()); });
   if (chip) chip->finish();
-  if (plan.json) print(report.text());
+  if (plan.json) print(report.text(against.json()));
   else if (report.frames() > 1) print(table_total(report));
-  const bool differs = chip && report_locksteps(plan, options, chip->bench(), report.frames());
+  const bool wrong_units = chip && report_locksteps(plan, options, chip->bench(), report.frames());
+  const bool differs = against.report(plan.json) || wrong_units;
   const bool whole = report.frames() == plan.frames;
-  tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;
 }
 

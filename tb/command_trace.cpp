@@ -19,6 +19,7 @@
 #include "tb/trace/event_watch.h"
 #include "tb/trace/trigger.h"
 #include "tb/trace/window_writer.h"
+#include "tb/trace_tt.h"
 #include "tb/use_option.h"
 
 namespace racebeam {
@@ -74,7 +75,7 @@ int watch(const TraceOptions& options, const TraceWindowReader& reader, SignalBe
   std::optional<Condition> condition;
   if (!options.when.empty()) {
     bench.watch_registers();
-    condition.emplace(options.when, bench, raster);
+    condition.emplace(options.when, chip_signals(bench), raster);
   }
   const EventWatch watch{
       condition ? &*condition : nullptr, before,
@@ -99,9 +100,12 @@ int command_trace(const TraceOptions& options) {
   if (!options.diff.empty()) return compare(options);
   if (options.shared)
     throw UsageError("--shared is for the two files of --diff; leave it out, or add --diff");
+  if (!options.project.empty()) return trace_tt(options);
+  refuse_tt_options(options);
   if (is_waveform(options.scene)) return draw(options);
   if (options.scene.empty())
-    throw UsageError("scene is required, or --diff; `racebeam trace --help` shows what it takes");
+    throw UsageError(
+        "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
   const Show show = open_show(options.scene);
   SignalBench::Options setting{show.standard_knobs()};
   for (const std::string& assignment : options.assignments) set_knob(setting.k, assignment);
@@ -112,7 +116,8 @@ int command_trace(const TraceOptions& options) {
   reader.check(options.from, options.to);
   options.check(raster);
 
-  const WindowWriter writer{show, options.output, options.picture, options.selection()};
+  const WindowWriter writer{show.name(), [&](int frame) { return show.part(frame); },
+                            options.output, options.picture, options.selection()};
   catch_interrupts();
   std::optional<TraceWindow> window;
   if (!options.watches()) {

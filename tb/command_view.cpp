@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -20,9 +19,9 @@
 #include "tb/set_knob.h"
 #include "tb/use_option.h"
 #include "tb/view/signal_source.h"
-#include "tb/view/term_screen.h"
 #include "tb/view/tlm_source.h"
-#include "tb/view/view_window.h"
+#include "tb/view_setting.h"
+#include "tb/view_tt.h"
 
 namespace racebeam {
 
@@ -31,11 +30,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* BuiltIn = "demo";
-
-void check_range(const char* option, long long value, long long min, long long max) {
-  if (value < min || value > max)
-    throw UsageError(fmt::format("{} {} is out of range; {}..{}", option, value, min, max));
-}
 
 std::string level_of(const ViewOptions& options) {
   if (options.level.empty()) return options.units.empty() ? "tlm" : "signal";
@@ -121,37 +115,18 @@ Show demo_file() {
   throw UsageError("free flight needs a scene file, and scenes/demo.toml is not here");
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
-// Names of keys that do nothing are mistakes in a script.
-void check_keys(const std::vector<std::string>& keys) {
-  std::vector<std::string> known;
-  for (const KeyHelp& row : ViewControl::help())
-    for (const std::string& key : words_of(row.keys)) known.push_back(key);
-  for (const std::string& key : keys)
-    if (!ViewControl().press(key)) throw unknown_name("key", key, known);
-}
-
 }  // namespace
 
 int command_view(const ViewOptions& options) {
+  if (!options.project.empty()) return view_tt(options);
+  refuse_tt_options(options);
+  if (options.scene.empty())
+    throw UsageError("scene is required, or --tt; `racebeam view --help` shows what it takes");
   const std::string level = level_of(options);
-  const std::vector<std::string> keys = words_of(options.keys);
-  check_keys(keys);
+  const std::vector<std::string> keys = keys_to_press(options, false);
   const Show show = open_show(options.scene);
-  check_range("--first", options.first, 0, show.frames() - 1);
-  check_range("--scale", options.scale, 0, 8);
-  if (options.frames) check_range("--frames", *options.frames, 1, 1'000'000);
-  Viewer::Options setting;
-  setting.first = static_cast<int>(options.first);
-  if (options.frames) setting.frames = static_cast<int>(*options.frames);
+  Viewer::Options setting = viewer_options(options, show.frames());
   if (options.scene != BuiltIn) setting.scene_file = options.scene;
-  setting.folder = options.folder;
   setting.demo_file = demo_file;
   const bool tlm = level == "tlm";
   if (tlm) setting.restage = [&](const Show& changed) { return tlm_stage(options, changed); };
@@ -161,8 +136,7 @@ int command_view(const ViewOptions& options) {
       throw StartAgain{};
     };
   Stage stage = tlm ? tlm_stage(options, show) : signal_stage(options, show);
-  auto screen = options.terminal ? open_terminal(!options.frames)
-                                 : open_window(static_cast<int>(options.scale));
+  auto screen = open_screen(options);
   Viewer viewer(std::move(stage), setting);
   viewer.control.state.paused = options.paused;
   catch_interrupts();

@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "tb/tt_options.h"
+
 namespace racebeam {
 
 /// The command line as it was written.
-struct ViewOptions {
+struct ViewOptions : TtOptions {
   std::string scene;
   std::string level;  ///< "tlm", "signal"; empty: signal if there are units, else tlm
   std::vector<std::string> assignments, units;
@@ -21,6 +23,8 @@ struct ViewOptions {
   std::string folder = ".";
   bool paused = false;
   bool terminal = false;
+  std::optional<long long> sound_pin;  ///< of uio_out of the chip of --tt; 7
+  std::string record_inputs;           ///< file that gets them; empty: none
 };
 
 /// Runs until the user quits. Returns the exit code. Throws UsageError, MissingTool, RtlError,

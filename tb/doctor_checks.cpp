@@ -21,10 +21,12 @@
 #include <thread>
 
 #include "sc/constants.h"
-#include "sc/rtl_plugin.h"
+#include "sc/rtl_library.h"
 #include "tb/gif_writer.h"
 #include "tb/image_files.h"
 #include "tb/sound_monitor.h"
+#include "tb/verilate/project_folder.h"
+#include "tb/verilate/rtl_plugin.h"
 #include "tb/version.h"
 
 namespace racebeam {
@@ -118,8 +120,7 @@ std::vector<Check> check_files() {
   }));
   if (!find_in_path("verilator").empty())
     checks.push_back(check("verilate RTL", [&] {
-      build_rtl_plugin("stacks", {}, {}, folder->file("stacks.so"));
-      rtl_library(folder->file("stacks.so"));
+      rtl_library(rtl_plugin({"stacks", {rtl_folder() + "/stacks.sv"}}));
     }));
   return checks;
 }

@@ -26,4 +26,10 @@ class MissingTool : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Ctrl-C or the like has come while something else was waited for. Exit code 130.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
 }  // namespace racebeam

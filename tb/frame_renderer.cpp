@@ -18,9 +18,9 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
   const bool maps = !plan.overlays.empty();
   if (plan.level == LevelTlm)
     return std::make_unique<TlmBench>(
-        TlmBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), maps});
-  return std::make_unique<SignalBench>(
-      SignalBench::Options{plan.k, true, plan.crc, sound, plan.show.program(), plan.units, maps});
+        TlmBench::Options{plan.k, true, plan.checksums(), sound, plan.show.program(), maps});
+  return std::make_unique<SignalBench>(SignalBench::Options{plan.k, true, plan.checksums(), sound,
+                                                            plan.show.program(), plan.units, maps});
 }
 
 PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {

@@ -16,9 +16,11 @@ int checked(int value, int max, const char* name) {
   return value;
 }
 
-int delay_of(double frames_per_second) {
+constexpr long ShortestDelay = 2, LongestDelay = 65535;  // 1/100 s
+
+double checked_rate(double frames_per_second) {
   if (!(frames_per_second > 0)) throw std::invalid_argument("GIF: bad frames per second");
-  return static_cast<int>(std::clamp(std::round(100 / frames_per_second), 2.0, 65535.0));
+  return frames_per_second;
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ GifWriter::GifWriter(const std::string& path, int width, int height, double fram
       downscale_(checked(downscale, std::min(width, height), "downscale")),
       columns_(width / downscale),
       rows_(height / downscale),
-      delay_(delay_of(frames_per_second)),
+      rate_(checked_rate(frames_per_second)),
       shown_(static_cast<std::size_t>(columns_) * rows_),
       next_(shown_.size()) {
   GifColorType palette[Colours];
@@ -71,17 +73,31 @@ void GifWriter::check(bool good) {
   if (!good) throw OutputError(file_.path(), GifErrorString(gif_->Error));
 }
 
-void GifWriter::add(const std::vector<std::uint8_t>& colours) {
+long GifWriter::due(long frame) const { return std::lround(100.0 * frame / rate_); }
+
+// A picture waits until its end is known. It gives way to one that is due when it would begin.
+void GifWriter::add(const std::vector<std::uint8_t>& colours, int after) {
   if (colours.size() != static_cast<std::size_t>(width_) * height_)
     throw std::invalid_argument("GIF: the frame has another size");
+  if (waiting_) frame_ += after;
+  if (waiting_ && due(frame_) > begin_) write(due(frame_));
+  waiting_ = true;
+  for (int y = 0; y < rows_; ++y)
+    for (int x = 0; x < columns_; ++x) {
+      const std::size_t from = (static_cast<std::size_t>(y) * width_ + x) * downscale_;
+      next_[static_cast<std::size_t>(y) * columns_ + x] = colours[from] & (Colours - 1);
+    }
+}
+
+void GifWriter::write(long end) {
+  const long delay = std::clamp(end - begin_, ShortestDelay, LongestDelay);
+  begin_ += delay;
   // Only the box that changed is written.
   int left = columns_, top = rows_, right = 0, bottom = 0;
   for (int y = 0; y < rows_; ++y)
     for (int x = 0; x < columns_; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * columns_ + x;
-      const std::size_t from = (static_cast<std::size_t>(y) * width_ + x) * downscale_;
-      next_[i] = colours[from] & (Colours - 1);
-      if (frames_ > 0 && next_[i] == shown_[i]) continue;
+      if (pictures_ > 0 && next_[i] == shown_[i]) continue;
       left = std::min(left, x);
       right = std::max(right, x + 1);
       top = std::min(top, y);
@@ -93,7 +109,8 @@ void GifWriter::add(const std::vector<std::uint8_t>& colours) {
   }
   shown_.swap(next_);
 
-  const GraphicsControlBlock control{DISPOSE_DO_NOT, false, delay_, NO_TRANSPARENT_COLOR};
+  const GraphicsControlBlock control{DISPOSE_DO_NOT, false, static_cast<int>(delay),
+                                     NO_TRANSPARENT_COLOR};
   GifByteType extension[4];
   const auto size = EGifGCBToExtension(&control, extension);
   check(EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, static_cast<int>(size), extension) ==
@@ -103,10 +120,11 @@ void GifWriter::add(const std::vector<std::uint8_t>& colours) {
   for (int y = top; y < bottom; ++y)
     check(EGifPutLine(gif_.get(), &shown_[static_cast<std::size_t>(y) * columns_ + left],
                       right - left) == GIF_OK);
-  ++frames_;
+  ++pictures_;
 }
 
 void GifWriter::close() {
+  if (waiting_) write(due(frame_ + 1));
   int error = 0;
   const bool good = EGifCloseFile(gif_.release(), &error) == GIF_OK;
   if (failure_) std::rethrow_exception(failure_);

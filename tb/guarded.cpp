@@ -29,6 +29,8 @@ int guarded(const std::function<int()>& work) {
   } catch (const MissingTool& error) {
     tell(error.what());
     return ExitMissing;
+  } catch (const Interrupted&) {
+    return ExitInterrupted;
   } catch (const std::bad_alloc&) {
     tell("out of memory; render fewer frames at a time");
     return ExitMissing;

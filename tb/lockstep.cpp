@@ -5,15 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "sc/rtl_plugin.h"
-
 namespace racebeam {
 
 Lockstep::Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
                    const sc_core::sc_module& model, const knobs& k, const std::string& plugin)
-    : sc_module(name),
-      unit_(unit),
-      rtl_(plugin.empty() ? rtl_plugin_path(unit, k) : plugin, unit, ports_of(model), k) {
+    : sc_module(name), unit_(unit), rtl_(plugin, unit, ports_of(model), k) {
   SC_HAS_PROCESS(Lockstep);
   SC_METHOD(compare);
   sensitive << clk_i.pos();

@@ -25,8 +25,8 @@ racebeam {}: `{}`
 Up to {} frames spread evenly over each scene, by the chip's cores with its own knobs. The tracer has about {} clocks for a
 line; it is busy until it is done or the line ends. The estimate is the worst line of all frames and counts on beyond that. A
 frame with the ray pattern disturbs the tracer, but hides what it draws. A pixel that differs from `trace4`, the chip's way
-without its limits, has one cause: the first ones below add up. `trace2` knows no intervals, `geometry` no rounding; the causes
-on the way to them stand for themselves.
+without its limits, has one cause: the first ones below add up. `trace2` knows no intervals, `geometry` no rounding, but the
+chip's parabolas for sine and cosine; the causes on the way to them stand for themselves.
 )";
 
 /// Text of users on a line of Markdown.
@@ -120,7 +120,7 @@ std::string pixels(const SceneNotes& notes) {
   }
   row("**chip, `trace2`**", golden.by_tracer[int(GoldenTracer::Trace2)], "");
   row("**chip, `geometry`**", golden.by_tracer[int(GoldenTracer::Geometry)],
-      "the ideal picture, as far as the depth limit shows it");
+      "boxes without rounding, to the depth limit; sine and cosine as the chip makes them");
   return text;
 }
 

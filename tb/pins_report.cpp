@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tb/counted.h"
 
@@ -47,9 +48,9 @@ std::uint64_t uo_toggles(const PinStats& stats) {
 
 }  // namespace
 
-PinsReport::PinsReport(const TtProject& project, int ui, int uio, const FoundFrames& found,
+PinsReport::PinsReport(const TtProject& project, TtInputs inputs, const FoundFrames& found,
                        bool crc)
-    : project_(project), ui_(ui), uio_(uio), found_(found), crc_(crc) {}
+    : project_(project), inputs_(std::move(inputs)), found_(found), crc_(crc) {}
 
 void PinsReport::add(int frame, const TtBench::Frame& seen) {
   Json json = {{"frame", frame}};
@@ -62,25 +63,35 @@ void PinsReport::add(int frame, const TtBench::Frame& seen) {
   total_ += seen.stats;
 }
 
-std::string PinsReport::text() const {
+std::string PinsReport::text(const VgaFaults& faults, const std::string& against) const {
   const Raster& raster = found_.raster;
   const Json chip = {{"folder", project_.folder},
                      {"top_module", project_.top},
                      {"hash", project_.hash},
-                     {"clock_hz", project_.clock_hz},
-                     {"ui_in", ui_},
-                     {"uio_in", uio_}};
-  const Json syncs = {{"clocks_per_pixel", project_.clocks_per_pixel},
+                     {"clock_hz", std::llround(found_.clock_hz)},
+                     {"clock_assumed", found_.clock_assumed},
+                     {"ui_in", inputs_.start().ui},
+                     {"uio_in", inputs_.start().uio},
+                     {"input_changes", inputs_.changes().size()}};
+  const Json syncs = {{"mode", found_.mode},
+                      {"width", raster.columns},
+                      {"height", raster.rows},
+                      {"frames_per_second", std::round(found_.frames_per_second() * 1e3) / 1e3},
+                      {"clocks_per_pixel", std::round(found_.clocks_per_pixel * 1e6) / 1e6},
                       {"hsync",
                        {{"period_clocks", raster.line_clocks()},
                         {"pulse_clocks", raster.sync_end - raster.sync_begin},
                         {"polarity", polarity(raster.hsync_pulse)}}},
                       {"vsync",
                        {{"period_clocks", raster.frame_clocks()},
-                        {"pulse_clocks", Raster::VsyncLines * raster.line_clocks()},
+                        {"pulse_clocks", raster.vsync_lines * raster.line_clocks()},
                         {"polarity", polarity(raster.vsync_pulse)}}},
                       {"first_frame_clock", found_.first},
                       {"picture_late_clocks", found_.picture_late}};
+  const Json broken = {{"sync_clocks", faults.sync_clocks},
+                       {"first_sync", faults.first_sync},
+                       {"colour_clocks", faults.colour_clocks},
+                       {"first_colour", faults.first_colour}};
   Json total = {{"frames", frames()}};
   total.update(json_of(total_));
   std::string rows;
@@ -90,15 +101,18 @@ std::string PinsReport::text() const {
   };
   return fmt::format(
       "{{\"schema\": \"racebeam-pins\", \"version\": 1,\n\"chip\": {},\n\"syncs\": {},\n"
-      "\"frames\": [{}],\n\"total\": {}}}\n",
-      dump(chip), dump(syncs), rows, dump(total));
+      "\"faults\": {},\n\"frames\": [{}],\n\"total\": {}{}}}\n",
+      dump(chip), dump(syncs), dump(broken), rows, dump(total),
+      against.empty() ? "" : ",\n\"against\": " + against);
 }
 
 std::string PinsReport::table_header() const {
   const Raster& raster = found_.raster;
   std::string text = fmt::format(
-      "{} at {} Hz, clocks per pixel {}; hsync {}, every {} clocks; vsync {}, every {} clocks\n",
-      project_.top, project_.clock_hz, project_.clocks_per_pixel, polarity(raster.hsync_pulse),
+      "{}: {}, drawn as {}x{}, {:.2f} frames a second at {} Hz, clocks per pixel {:.4g}\n"
+      "hsync {}, every {} clocks; vsync {}, every {} clocks\n",
+      project_.top, found_.mode, raster.columns, raster.rows, found_.frames_per_second(),
+      std::llround(found_.clock_hz), found_.clocks_per_pixel, polarity(raster.hsync_pulse),
       raster.line_clocks(), polarity(raster.vsync_pulse), raster.frame_clocks());
   if (const int late = found_.picture_late; late != 0)
     text += fmt::format("the picture comes {} {} for its hsync; it was moved back\n",

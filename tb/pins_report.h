@@ -14,16 +14,17 @@ namespace racebeam {
 
 class PinsReport {
  public:
-  /// `ui` and `uio` are the chip's inputs; with CRCs if `crc`.
-  PinsReport(const TtProject& project, int ui, int uio, const FoundFrames& found, bool crc);
+  /// With CRCs if `crc`.
+  PinsReport(const TtProject& project, TtInputs inputs, const FoundFrames& found, bool crc);
 
   /// Adds a whole frame.
   void add(int frame, const TtBench::Frame& seen);
   int frames() const { return static_cast<int>(frames_.size()); }
 
-  /// The whole document; one line per frame. The periods hold for every frame: the monitor checks
-  /// each clock.
-  std::string text() const;
+  /// The whole document; one line per frame. `against`: the comparison with a reference as JSON, if
+  /// there was one. The periods hold for every frame but in the clocks of `faults`: the monitor
+  /// checks each clock.
+  std::string text(const VgaFaults& faults, const std::string& against = "") const;
 
   /// What was found about the syncs, and the titles of the rows.
   std::string table_header() const;
@@ -33,7 +34,7 @@ class PinsReport {
 
  private:
   const TtProject project_;
-  const int ui_, uio_;
+  const TtInputs inputs_;
   const FoundFrames found_;
   const bool crc_;
   std::vector<std::string> frames_;  // JSON texts

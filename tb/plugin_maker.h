@@ -1,5 +1,5 @@
-// PluginMaker: verilates, for one run, the RTL that cannot be built beforehand: a user's own, and
-// that of the units that read a scene's tables.
+// PluginMaker: the RTL of units for one chip: a unit's own, or a user's, with the chip's knobs and
+// its scene's tables as parameters.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -10,10 +10,10 @@
 
 #include "sc/knobs.h"
 #include "sc/scene_program.h"
+#include "tb/verilate/rtl_sources.h"
 
 namespace racebeam {
 
-/// Plug-ins that are not the user's lie in a scratch folder that goes with the program.
 class PluginMaker {
  public:
   /// For chips with the knobs `k` that show `program`; nullptr: the built-in demo. `traced`:
@@ -21,23 +21,29 @@ class PluginMaker {
   PluginMaker(const knobs& k, const scene_program* program, bool traced = false)
       : knobs_(k), program_(program), traced_(traced) {}
 
-  /// The plug-in of a unit's own RTL with the program's table; empty if the unit reads none and
-  /// is not traced, since the chip finds that RTL itself. Throws RtlError, MissingTool.
+  /// The plug-in of a unit's own RTL, verilated if need be. Throws RtlError, MissingTool,
+  /// Interrupted.
   std::string own(const std::string& unit) const;
-  /// The plug-in of a user's RTL: a .so as it is, a .sv or .v verilated. Throws UsageError,
-  /// RtlError, MissingTool.
+  /// The plug-in of a user's RTL: a .so as it is, a .sv or .v verilated if need be. Tells which
+  /// knobs do not reach it. Throws UsageError, and as own() does.
   std::string users(const std::string& unit, const std::string& file) const;
 
  private:
-  std::vector<std::string> table_parameters(const std::string& unit) const;
+  /// What a parameter of the unit shall be.
+  struct Setting {
+    std::string name, value;  ///< value: as on Verilator's command line
+    std::string what;         ///< "the knob fifo_entries", "the scene's table of rooms"
+  };
+  std::vector<Setting> tables(const std::string& unit) const;
+  /// Everything that the unit's own RTL is told.
+  std::vector<Setting> settings(const std::string& unit) const;
 
   knobs knobs_;
   const scene_program* program_;
   bool traced_;
 };
 
-/// The plug-in of a whole chip with registered inputs, in the scratch folder. Throws RtlError,
-/// MissingTool.
+/// The plug-in of a whole chip with registered inputs. Throws as PluginMaker::own().
 std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources);
 
 }  // namespace racebeam

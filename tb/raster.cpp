@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/raster.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace racebeam {
@@ -41,6 +42,32 @@ Raster::Raster(int clocks_per_pixel, int speed) {
   }
   column_at.push_back(columns);
   vsync_at = sync_end;
+}
+
+Raster::Raster(const RasterShape& shape)
+    : sync_begin(shape.sync_begin),
+      sync_end(shape.sync_end),
+      active_begin(shape.active_begin),
+      lines(shape.above + shape.rows + shape.below + shape.vsync_lines),
+      first_line(-shape.rows / 2 - shape.above),
+      first_visible_line(-shape.rows / 2),
+      columns(shape.columns),
+      rows(shape.rows),
+      vsync_at(shape.sync_end),
+      vsync_line(first_visible_line + shape.rows + shape.below),
+      vsync_lines(shape.vsync_lines) {
+  const std::int64_t width = shape.line_clocks - shape.active_begin;
+  const auto pixels_before = [&](int clock) {  // since active_begin
+    const std::int64_t scaled = (clock - active_begin) * std::int64_t(columns);
+    return static_cast<int>(scaled >= 0 ? scaled / width : -((-scaled + width - 1) / width));
+  };
+  for (int clock = 0; clock < shape.line_clocks; ++clock) {
+    const int pixel = pixels_before(clock);
+    clocks.push_back({static_cast<std::int16_t>(pixel - columns / 2),
+                      pixels_before(clock + 1) != pixel, clock < sync_begin || clock >= sync_end});
+    column_at.push_back(std::max(pixel, 0));
+  }
+  column_at.push_back(columns);
 }
 
 void Raster::advance_syncs(int count) {

@@ -12,7 +12,6 @@
 #include <system_error>
 #include <utility>
 
-#include "sc/constants.h"
 #include "tb/console.h"
 #include "tb/counted.h"
 
@@ -24,7 +23,6 @@ namespace {
 
 constexpr const char* StatsName = "stats.json";
 constexpr const char* ManifestName = "manifest.json";
-constexpr double FramesPerSecond = 60;
 constexpr double SlowestGif = 5;  // frames per second, however few of the demo's are shown
 constexpr int SheetColumns = 4;
 
@@ -68,10 +66,6 @@ RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
     for (const auto& level : made) fs::remove(level, ignored);
     throw;
   }
-  if (!plan_.gif.empty())
-    gif_ = std::make_unique<GifWriter>(plan_.gif, VisibleColumns, VisibleRows,
-                                       std::max(FramesPerSecond / plan_.every, SlowestGif),
-                                       plan_.gif_scale);
 }
 
 std::string RenderFiles::in_folder(const std::string& name) const {
@@ -84,6 +78,12 @@ void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
     in_folder_.push_back(file.name);
     write_text(in_folder(file.name), file.bytes);
   }
+  width_ = frame.picture.width;
+  height_ = frame.picture.height;
+  if (!plan_.gif.empty() && !gif_)
+    gif_ = std::make_unique<GifWriter>(plan_.gif, width_, height_,
+                                       std::max(plan_.frames_per_second / plan_.every, SlowestGif),
+                                       plan_.gif_scale);
   if (gif_) gif_->add(frame.picture.colours);
   if (!plan_.sheet.empty())
     sheet_.push_back({frame.picture.colours, fmt::format("{} {}", frame.number, part)});
@@ -92,7 +92,8 @@ void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
 void RenderFiles::add(int frame, const std::string& part, const VgaFrame& picture) {
   RenderedFrame rendered{frame, picture, {}, {}, {}};
   if (!plan_.folder.empty())
-    rendered.files.push_back(picture_file("frame", frame, picture.colours));
+    rendered.files.push_back(
+        picture_file("frame", frame, picture.colours, picture.width, picture.height));
   add(rendered, part);
 }
 
@@ -127,8 +128,7 @@ void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
   if (!plan_.stats.empty() && frames_ > 0) write_text(plan_.stats, stats);
   if (gif_ && frames_ > 0) gif_->close();
   gif_.reset();
-  if (!sheet_.empty())
-    write_contact_sheet(plan_.sheet, sheet_, VisibleColumns, VisibleRows, SheetColumns);
+  if (!sheet_.empty()) write_contact_sheet(plan_.sheet, sheet_, width_, height_, SheetColumns);
   if (!plan_.wav.empty() && sound && frames_ > 0) sound->write_wav(plan_.wav);
 }
 

@@ -51,6 +51,7 @@ class RenderFiles {
   const OutputPlan plan_;
   const Manifest what_;
   int frames_ = 0;
+  int width_ = 0, height_ = 0;          // of the pictures
   std::vector<std::string> in_folder_;  // names of the files in the folder
   std::vector<SheetFrame> sheet_;
   std::unique_ptr<GifWriter> gif_;

@@ -140,6 +140,16 @@ void check_sound(const RenderPlan& plan) {
                     SoundClocksPerPixel));
 }
 
+// A reference of other frames would compare nothing.
+void check_against(const OutputPlan& plan, int frames) {
+  for (int i = 0; i < plan.frames; ++i)
+    if (plan.against->find(
+            static_cast<int>((plan.first + static_cast<long long>(i) * plan.every) % frames)))
+      return;
+  throw UsageError(fmt::format("--against {} has none of these frames; it has {}",
+                               plan.against->name(), plan.against->extent()));
+}
+
 // No file may overwrite another, or one that the folder gets anyway.
 void check_distinct(const OutputPlan& plan) {
   const auto real = [](const fs::path& path) {
@@ -200,10 +210,11 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
   plan.overlays = maps_of(options.overlays);
   if (!plan.overlays.empty() && (!options.project.empty() || tracer_of(options.golden)))
     throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
-  if (!plan.vcd.empty() && !options.project.empty())
-    throw UsageError("--vcd needs the model of the chip; leave out --tt, or --vcd");
-  if ((plan.folder + plan.gif + plan.wav + plan.sheet + plan.stats + plan.vcd).empty() ||
-      (plan.folder.empty() && !plan.overlays.empty()))
+  if (!options.against.empty()) {
+    plan.against = std::make_shared<ReferenceFrames>(options.against);
+    check_against(plan, frames);
+  }
+  if ((!plan.writes() && !plan.against) || (plan.folder.empty() && !plan.overlays.empty()))
     plan.folder = DefaultFolder;
   return plan;
 }
@@ -211,8 +222,7 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
 RenderPlan plan_render(const RenderOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
-  if (options.ui || options.uio)
-    throw UsageError("--ui and --uio set pins of a chip that --tt names; a scene has --set");
+  refuse_tt_options(options);
   const Show show = open_show(options.scene);
   RenderPlan plan{plan_output(options, show.frames()),
                   options.scene,
@@ -229,6 +239,8 @@ RenderPlan plan_render(const RenderOptions& options) {
   for (const std::string& choice : options.units) use.use(plan.units, choice);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
+  if (plan.tracer && plan.against)
+    throw UsageError("--against needs the chip; leave out --golden, or --against");
   check_sound(plan);
   check_wave(plan);
   check_jobs(plan);

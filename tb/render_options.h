@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,9 @@
 #include "sc/unit_choices.h"
 #include "tb/golden/golden_picture.h"
 #include "tb/manifest.h"
+#include "tb/reference_frames.h"
 #include "tb/show.h"
+#include "tb/tt_options.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -22,7 +25,7 @@ constexpr const char* LevelTlm = "tlm";
 constexpr const char* LevelSignal = "signal";
 
 /// The command line as it was written. An empty path: not asked for.
-struct RenderOptions {
+struct RenderOptions : TtOptions {
   std::string scene;
   std::string level;  ///< empty: signal with units, else tlm
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
@@ -32,8 +35,7 @@ struct RenderOptions {
   std::string vcd;                    ///< waveform
   std::vector<std::string> overlays;  ///< names of maps
   std::string golden;                 ///< a golden tracer, "compare", or empty
-  std::string project;                ///< Tiny Tapeout project folder, instead of a scene
-  std::optional<long long> ui, uio;   ///< input pins of that project's chip
+  std::string against;                ///< a reference to compare with, or empty
   bool crc = false, json = false;
   std::vector<std::string> command;  ///< for the manifest
 };
@@ -44,8 +46,15 @@ struct OutputPlan {
   std::string folder, gif, wav, sheet, stats;
   bool crc, json;
   std::vector<std::string> command;
-  std::vector<MapKind> overlays{};  ///< into the folder, for each frame
-  std::string vcd{};                ///< of the chip's ports and wires, or empty
+  std::vector<MapKind> overlays{};                   ///< into the folder, for each frame
+  std::string vcd{};                                 ///< of the chip's ports and wires, or empty
+  std::shared_ptr<const ReferenceFrames> against{};  ///< what the frames must equal, or nothing
+
+  /// Checksums are computed.
+  bool checksums() const { return crc || against; }
+  /// Some file is.
+  bool writes() const { return !(folder + gif + wav + sheet + stats + vcd).empty(); }
+  double frames_per_second = 60;  ///< of the chip
 };
 
 /// The chip of this project, or a golden tracer, and a show.
@@ -64,8 +73,8 @@ struct RenderPlan : OutputPlan {
   Manifest manifest() const;
 };
 
-/// `frames`: there are so many. Without any file asked for, the folder is "racebeam_out". Throws
-/// UsageError.
+/// `frames`: there are so many. Without any file asked for, the folder is "racebeam_out", unless
+/// the frames are compared with a reference. Throws UsageError.
 OutputPlan plan_output(const RenderOptions& options, int frames);
 
 /// Throws UsageError for whatever cannot be done.

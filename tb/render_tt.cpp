@@ -4,56 +4,48 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <optional>
 
+#include "tb/against.h"
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/pins_report.h"
-#include "tb/plugin_maker.h"
 #include "tb/progress.h"
 #include "tb/render_files.h"
+#include "tb/trace/tile_wave.h"
 #include "tb/tt_bench.h"
+#include "tb/tt_plugin.h"
+#include "tb/tt_remarks.h"
 
 namespace racebeam {
 
 namespace {
 
-constexpr int MaxFrames = 1'000'000;  // to the end of the last one
-
 struct TtPlan : OutputPlan {
   TtProject project;
-  int ui, uio;
+  TtInputs inputs;
 };
 
 void refuse_scene_options(const RenderOptions& options) {
-  const auto refuse = [](bool given, const char* what) {
-    if (given) throw UsageError(std::string("--tt runs a chip of its own; leave out ") + what);
-  };
-  refuse(!options.scene.empty(), "the scene, or --tt");
-  refuse(!options.assignments.empty(), "--set, or --tt");
-  refuse(!options.units.empty(), "--use, or --tt");
-  refuse(!options.golden.empty(), "--golden, or --tt");
-  refuse(!options.level.empty(), "--level, or --tt");
-  refuse(options.jobs > 1, "--jobs: it runs on from its reset");
-}
-
-int input_pins(const char* option, const std::optional<long long>& value) {
-  if (value && (*value < 0 || *value > 255))
-    throw UsageError(fmt::format("{} {} is out of range; eight pins: 0..255", option, *value));
-  return static_cast<int>(value.value_or(0));
+  refuse_with_tt(!options.scene.empty(), "the scene, or --tt");
+  refuse_with_tt(!options.assignments.empty(), "--set, or --tt");
+  refuse_with_tt(!options.units.empty(), "--use, or --tt");
+  refuse_with_tt(!options.golden.empty(), "--golden, or --tt");
+  refuse_with_tt(!options.level.empty(), "--level, or --tt");
+  refuse_with_tt(options.jobs > 1, "--jobs: it runs on from its reset");
 }
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
-  TtPlan plan{plan_output(options, MaxFrames),
-              {},
-              input_pins("--ui", options.ui),
-              input_pins("--uio", options.uio)};
-  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MaxFrames)
+  TtPlan plan{plan_output(options, MostTtFrames), {}, tt_inputs(options)};
+  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
-                                 MaxFrames - 1));
-  plan.project = read_tt_project(options.project);
+                                 MostTtFrames - 1));
+  if (!plan.vcd.empty()) check_waveform_name(plan.vcd);
+  if (!plan.vcd.empty() && plan.every != 1)
+    throw UsageError("--vcd needs consecutive frames; leave out --every, or --vcd");
+  plan.project = read_tt_project(options.project, options.reading);
   return plan;
 }
 
@@ -66,7 +58,8 @@ Manifest manifest_of(const TtPlan& plan) {
 }
 
 // Simulates all frames up to the last and keeps the planned ones; ends early when interrupted.
-void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsReport& report) {
+void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsReport& report,
+                   Against& against) {
   const int last = plan.first + (plan.frames - 1) * plan.every;
   Progress progress(last + 1);
   progress.draw(0, 0);
@@ -76,6 +69,7 @@ void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsR
     if (number >= plan.first && (number - plan.first) % plan.every == 0) {
       files.add(number, plan.project.top, frame.picture);
       report.add(number, frame);
+      against.add(number, frame.picture);
       progress.clear();
       if (!plan.json) print(report.table_row(number, frame));
     }
@@ -86,20 +80,28 @@ void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsR
 }  // namespace
 
 int render_tt(const RenderOptions& options) {
-  const TtPlan plan = plan_tt(options);
+  TtPlan plan = plan_tt(options);
   catch_interrupts();
-  TtChip chip(make_chip_plugin(plan.project.top, plan.project.sources), plan.project.source_folder,
-              plan.ui, plan.uio);
+  TtRun run(plan.project, tt_plugin(plan.project, options.reading.trust), plan.inputs);
+  plan.frames_per_second = run.found().frames_per_second();
   RenderFiles files(plan, manifest_of(plan));
-  TtBench bench(chip, plan.project, plan.crc, !plan.wav.empty(), plan.first);
-  PinsReport report(plan.project, plan.ui, plan.uio, bench.found(), plan.crc);
-  files.run([&] { render_frames(plan, bench, files, report); }, bench.sound(),
-            [&] { return report.text(); });
-  print(plan.json ? report.text() : report.table_pins());
+  std::optional<TileWave> wave;
+  if (!plan.vcd.empty()) wave.emplace(run, plan.project.top, plan.first, plan.vcd);
+  TtBench bench(run, plan.checksums(), !plan.wav.empty(), plan.first);
+  Against against(plan.against);
+  PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
+  for (const std::string& remark : assumptions(plan.project, run.found())) tell(remark);
+  files.run([&] { render_frames(plan, bench, files, report, against); }, bench.sound(),
+            [&] { return report.text(bench.faults(), against.json()); });
+  if (wave) wave->commit();
+  print(plan.json ? report.text(bench.faults(), against.json()) : report.table_pins());
+  const bool differs = against.report(plan.json);
   if (bench.sound() && !bench.has_sound_pin())
     tell("uio_oe[7] was never 1: the chip has no sound pin, and the sound is silence");
   const bool whole = report.frames() == plan.frames;
-  tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  for (const std::string& fault : complaints(bench.faults())) tell(fault);
+  if (differs || bench.faults().any()) return ExitDifference;
   return whole ? ExitGood : ExitInterrupted;
 }
 

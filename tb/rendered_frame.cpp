@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "sc/constants.h"
 #include "tb/byte_stream.h"
 #include "tb/image_files.h"
 
@@ -17,6 +16,8 @@ template <class Frame, class Field>
 void each_field(Frame& frame, const Field& field) {
   field(frame.number);
   field(frame.picture.index);
+  field(frame.picture.width);
+  field(frame.picture.height);
   field(frame.picture.colours);
   field(frame.picture.image_crc);
   field(frame.picture.pins_crc);
@@ -29,9 +30,9 @@ void each_field(Frame& frame, const Field& field) {
 
 }  // namespace
 
-PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours) {
-  return {fmt::format("{}_{:04}.png", kind, frame),
-          png_bytes(colours, VisibleColumns, VisibleRows)};
+PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours,
+                         int width, int height) {
+  return {fmt::format("{}_{:04}.png", kind, frame), png_bytes(colours, width, height)};
 }
 
 std::string RenderedFrame::bytes() const {

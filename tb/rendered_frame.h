@@ -30,7 +30,8 @@ struct RenderedFrame {
   static RenderedFrame of_bytes(const std::string& bytes);
 };
 
-/// A picture of a frame, 640 x 480 colours; "frame" is the kind of the chip's own.
-PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours);
+/// A picture of a frame; "frame" is the kind of the chip's own.
+PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours,
+                         int width = VisibleColumns, int height = VisibleRows);
 
 }  // namespace racebeam

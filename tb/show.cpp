@@ -20,6 +20,15 @@ Show::Show(SceneFile scene, std::string hash)
       path_(std::make_shared<CameraPath>(fly(*scene_))),
       program_(std::make_shared<scene_program>(compile_scene(*scene_))) {}
 
+Show Show::of_tile(std::string name, std::string hash, int frames) {
+  Show show;
+  show.name_ = std::move(name);
+  show.hash_ = std::move(hash);
+  show.frames_ = frames;
+  show.tile_ = true;
+  return show;
+}
+
 knobs Show::standard_knobs() const { return program_ ? program_->fitted({}) : knobs{}; }
 
 std::string Show::objection(const knobs& k) const {
@@ -30,6 +39,7 @@ std::string Show::objection(const knobs& k) const {
 }
 
 std::string Show::part(int frame) const {
+  if (tile_) return "";
   if (!scene_) return demo_part(frame).name();
   const Shot& shot = scene_->shot_at(frame);
   if (!shot.name.empty()) return shot.name;

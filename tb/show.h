@@ -22,6 +22,9 @@ class Show {
   /// A scene without faults. `hash` tells it from others of the same name.
   Show(SceneFile scene, std::string hash);
 
+  /// A chip of its own, of which nothing is known but its name.
+  static Show of_tile(std::string name, std::string hash, int frames);
+
   const std::string& name() const { return name_; }
   /// What it was made of, for the manifest: "built-in", or a checksum of the file.
   const std::string& hash() const { return hash_; }
@@ -36,7 +39,7 @@ class Show {
   knobs standard_knobs() const;
   /// Knobs that the show cannot be run with: what is wrong and what to do; empty if nothing.
   std::string objection(const knobs& k) const;
-  /// What is shown in a frame, in a few words.
+  /// What is shown in a frame, in a few words; of a chip of its own nothing.
   std::string part(int frame) const;
 
   GoldenWorld golden_world(int frame, const knobs& k) const;
@@ -45,6 +48,7 @@ class Show {
  private:
   std::string name_, hash_;
   int frames_;
+  bool tile_ = false;
   std::shared_ptr<const SceneFile> scene_;
   std::shared_ptr<const CameraPath> path_;
   std::shared_ptr<const scene_program> program_;

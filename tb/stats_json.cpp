@@ -111,7 +111,7 @@ void StatsReport::add(int frame, const std::string& part, const FrameStats& stat
   }
 }
 
-std::string StatsReport::text() const {
+std::string StatsReport::text(const std::string& against) const {
   Json total = {{"frames", frames()}};
   put_stats(total, sums_, knobs_);
   put_lines(total, lines_, true);
@@ -120,8 +120,9 @@ std::string StatsReport::text() const {
   for (const std::string& frame : frames_) rows += (rows.empty() ? "\n" : ",\n") + frame;
   return fmt::format(
       "{{\"schema\": \"racebeam-stats\", \"version\": 1,\n\"scene\": {}, \"level\": {},\n"
-      "\"knobs\": {},\n\"frames\": [{}],\n\"total\": {}}}\n",
-      Json(scene_).dump(), Json(level_).dump(), knobs_json(knobs_).dump(), rows, total.dump());
+      "\"knobs\": {},\n\"frames\": [{}],\n\"total\": {}{}}}\n",
+      Json(scene_).dump(), Json(level_).dump(), knobs_json(knobs_).dump(), rows, total.dump(),
+      against.empty() ? "" : ",\n\"against\": " + against);
 }
 
 }  // namespace racebeam

@@ -2,7 +2,8 @@
 //
 // One object per frame and one for all frames together. Spreads over the visible lines are objects
 // {min, mean, max, ...} in clocks, or null if no line has a value; lines are counted as in the
-// contract, -240..239. "golden" is there if the chip was compared with the golden tracers.
+// contract, -240..239. "golden" is there if the chip was compared with the golden tracers,
+// "against" if with a reference.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -37,8 +38,9 @@ class StatsReport {
   /// Adds a whole frame; with its CRCs if `crc`, with its comparison if there is one.
   void add(int frame, const std::string& part, const FrameStats& stats, const VgaFrame& picture,
            bool crc, const std::optional<GoldenCounts>& golden = {});
-  /// The whole document; one line per frame.
-  std::string text() const;
+  /// The whole document; one line per frame. `against`: the comparison with a reference as JSON, if
+  /// there was one.
+  std::string text(const std::string& against = "") const;
 
   int frames() const { return static_cast<int>(frames_.size()); }
   /// The sums of all counters; without what is kept per line.

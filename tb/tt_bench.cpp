@@ -3,38 +3,22 @@
 #include "tb/tt_bench.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace racebeam {
 
-namespace {
-
-constexpr int ResetClocks = 10;
-
-}  // namespace
-
-TtBench::TtBench(TtChip& chip, const TtProject& project, bool crc, bool sound, int first)
-    : chip_(chip),
-      clocks_per_pixel_(project.clocks_per_pixel),
-      found_(find()),
-      vga_(found_.raster, [this](const VgaFrame& frame) { picture_ = frame; }, {crc, crc}),
-      sound_(sound ? new SoundMonitor(project.clock_hz) : nullptr),
+TtBench::TtBench(TtRun& run, bool crc, bool sound, int first)
+    : run_(run),
+      found_(run.found()),
+      vga_(
+          found_.raster, [this](const VgaFrame& frame) { picture_ = frame; }, {crc, crc}, &faults_),
+      sound_(sound ? new SoundMonitor(std::llround(found_.clock_hz)) : nullptr),
       sound_begin_(found_.first + std::uint64_t(first) * found_.raster.frame_clocks()),
       next_(found_.first) {
-  // The pins in the first clock of frame 0.
-  const auto after = std::upper_bound(
-      changes_.begin(), changes_.end(), next_,
-      [](std::uint64_t clock, const PinChange& change) { return clock < change.clock; });
-  changes_.erase(changes_.begin(), after - 1);
+  // The pins in the first clock of frame 0 are what they changed to last.
+  run_.run(next_ + 1, changes_);
+  changes_.erase(changes_.begin(), changes_.end() - 1);
   changes_.front().clock = next_;
-}
-
-FoundFrames TtBench::find() {
-  chip_.reset(ResetClocks);
-  const int step = Raster(clocks_per_pixel_).frame_clocks() / 4;
-  for (;;) {
-    chip_.run(step, changes_);
-    if (const auto found = find_frames(changes_, chip_.clock(), clocks_per_pixel_)) return *found;
-  }
 }
 
 void TtBench::feed(const PinChange& pins) {
@@ -49,10 +33,9 @@ void TtBench::feed(const PinChange& pins) {
 
 TtBench::Frame TtBench::render() {
   next_ += found_.raster.frame_clocks();
-  if (chip_.clock() < next_) chip_.run(next_ - chip_.clock(), changes_);
-  std::size_t seen = 0;
-  for (; seen < changes_.size() && changes_[seen].clock < next_; ++seen) feed(changes_[seen]);
-  changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(seen));
+  run_.run(next_, changes_);
+  for (const PinChange& change : changes_) feed(change);
+  changes_.clear();
   vga_.advance(next_ - found_.first);
   if (sound_ && next_ > sound_begin_) sound_->advance(next_ - sound_begin_);
   Frame frame{picture_, counter_.take(next_)};

@@ -1,4 +1,4 @@
-// TtBench: a Tiny Tapeout chip on the bench, between its input pins and the monitors.
+// TtBench: a Tiny Tapeout chip that runs, and the monitors of whole frames at its pins.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -8,11 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "tb/frame_finder.h"
 #include "tb/pin_stats.h"
 #include "tb/sound_monitor.h"
-#include "tb/tt_chip.h"
-#include "tb/tt_project.h"
+#include "tb/tt_run.h"
 #include "tb/vga_monitor.h"
 
 namespace racebeam {
@@ -26,15 +24,15 @@ class TtBench {
     PinStats stats;
   };
 
-  /// Resets the chip for 10 clocks and looks for its frames; the next is the first whole one after
-  /// reset, frame 0. `sound`: listen to uio[7] from frame `first` on. Throws SyncError.
-  TtBench(TtChip& chip, const TtProject& project, bool crc, bool sound, int first);
+  /// Puts the run before frame 0. `sound`: listen to uio[7] from frame `first` on.
+  TtBench(TtRun& run, bool crc, bool sound, int first);
 
-  const FoundFrames& found() const { return found_; }
-  /// Simulates one frame. Throws SyncError.
+  /// Simulates one frame. Throws SyncError if the syncs are lost.
   Frame render();
+  /// What broke the mode so far.
+  const VgaFaults& faults() const { return faults_; }
   /// Clocks simulated so far.
-  std::uint64_t clocks() const { return chip_.clock(); }
+  std::uint64_t clocks() const { return run_.clock(); }
   /// What the sound pin played so far, half scale while the chip does not drive it; nullptr if not
   /// asked for.
   const SoundMonitor* sound() const { return sound_.get(); }
@@ -42,14 +40,13 @@ class TtBench {
   bool has_sound_pin() const { return has_sound_pin_; }
 
  private:
-  FoundFrames find();
   void feed(const PinChange& pins);
 
-  TtChip& chip_;
-  std::vector<PinChange> changes_;  // that no monitor has seen
-  const int clocks_per_pixel_;
+  TtRun& run_;
   const FoundFrames found_;
+  std::vector<PinChange> changes_;  // that no monitor has seen
   VgaFrame picture_;
+  VgaFaults faults_;
   VgaMonitor vga_;
   PinCounter counter_;
   std::unique_ptr<SoundMonitor> sound_;

@@ -34,7 +34,7 @@ class WorkingFolder {
 
 }  // namespace
 
-TtChip::TtChip(const std::string& plugin, const std::string& folder, int ui, int uio)
+TtChip::TtChip(const std::string& plugin, const std::string& folder, TilePins inputs)
     : library_(plugin) {
   const std::string faults = port_faults(library_.model(), tile_pins());
   if (!faults.empty())
@@ -44,11 +44,17 @@ TtChip::TtChip(const std::string& plugin, const std::string& folder, int ui, int
   uo_ = &pin("uo_out");
   uio_ = &pin("uio_out");
   oe_ = &pin("uio_oe");
+  ui_in_ = &pin("ui_in");
+  uio_in_ = &pin("uio_in");
   pin("ena") = 1;
-  pin("ui_in") = static_cast<std::uint8_t>(ui);
-  pin("uio_in") = static_cast<std::uint8_t>(uio);
+  set_inputs(inputs);
   const WorkingFolder here(folder);  // $readmemh reads in the first evaluation
   evaluate(library_.model().eval);
+}
+
+void TtChip::set_inputs(TilePins inputs) {
+  *ui_in_ = inputs.ui;
+  *uio_in_ = inputs.uio;
 }
 
 void TtChip::evaluate(void (*step)(void*)) {

@@ -10,6 +10,7 @@
 
 #include "sc/rtl_library.h"
 #include "tb/pin_change.h"
+#include "tb/tt_inputs.h"
 
 namespace racebeam {
 
@@ -18,7 +19,10 @@ class TtChip {
   /// A plug-in of registered inputs, with its input pins; ena is 1. Files that the RTL reads are
   /// looked for in `folder`. Throws RtlError if the ports are not those of a tile. From then on all
   /// that simulates throws RtlError if the RTL stops ($stop) or its logic never settles.
-  TtChip(const std::string& plugin, const std::string& folder, int ui, int uio);
+  TtChip(const std::string& plugin, const std::string& folder, TilePins inputs);
+
+  /// Its input pins from this clock on; the logic sees them a clock later.
+  void set_inputs(TilePins inputs);
 
   /// Holds rst_n at 0 for some clocks. The next clock is clock 0.
   void reset(int clocks);
@@ -28,13 +32,15 @@ class TtChip {
 
   /// Clocks simulated since reset.
   std::uint64_t clock() const { return clock_; }
+  /// Its ports, and the signals inside if the plug-in has them, as they are in that clock.
+  const rtl_model& model() const { return library_.model(); }
 
  private:
   std::uint8_t& pin(const char* name) const;
   void evaluate(void (*step)(void*));
 
   rtl_library library_;
-  std::uint8_t* rst_n_;
+  std::uint8_t *rst_n_, *ui_in_, *uio_in_;
   const std::uint8_t *uo_, *uio_, *oe_;
   std::uint64_t clock_ = 0;
   PinChange last_{};

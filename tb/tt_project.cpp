@@ -14,8 +14,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "sc/constants.h"
 #include "tb/errors.h"
+#include "tb/tt_settings.h"
 
 namespace racebeam {
 
@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* TopPrefix = "tt_um_";
-constexpr int MaxClocksPerPixel = 8;
-constexpr double ClockTolerance = 0.01;
+constexpr long long LeastHz = 1'000'000;
+constexpr double MostHz = 1e9;
 
 /// info.yaml, and the errors that name its lines.
 class InfoFile {
@@ -40,7 +40,9 @@ class InfoFile {
     }
   }
 
-  /// The value of project.KEY.
+  /// The value of project.KEY, if there is one.
+  YAML::Node find(const char* key) const { return root_["project"][key]; }
+  /// The same; it must be there.
   YAML::Node project(const char* key, const char* what) const {
     const YAML::Node project = root_.IsMap() ? root_["project"] : YAML::Node();
     if (!project || !project.IsMap())
@@ -77,25 +79,35 @@ std::string read_top(const InfoFile& info) {
   return top;
 }
 
-void read_clock(const InfoFile& info, TtProject& project) {
-  constexpr const char* Key = "clock_hz";
-  constexpr const char* What = "the clock in Hz, such as 25175000";
-  const YAML::Node node = info.project(Key, What);
+/// Hz, as YAML writes numbers: 25175000, 25_175_000, 25.175e6; negative: it is none.
+double hz_of(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), '_'), text.end());
   double hz = 0;
-  if (!YAML::convert<double>::decode(node, hz) || !std::isfinite(hz))
-    info.fail(node.Mark(), fmt::format("project.{} must be {}", Key, What));
-  const double pixels = std::round(hz / PixelClockHz);
-  if (pixels < 1 || pixels > MaxClocksPerPixel ||
-      std::abs(hz - pixels * PixelClockHz) > ClockTolerance * pixels * PixelClockHz)
-    info.fail(node.Mark(),
-              fmt::format("project.{} is {}; 640x480 at 60 Hz needs 25.2 MHz, or a multiple up to "
-                          "{} times, within 1 %: 25175000, 25200000, 50350000, 50400000 ...",
-                          Key, node.Scalar(), MaxClocksPerPixel));
-  project.clock_hz = static_cast<std::uint64_t>(hz);
-  project.clocks_per_pixel = static_cast<int>(pixels);
+  const bool good = YAML::convert<double>::decode(YAML::Node(text), hz) && hz >= 0 && hz <= MostHz;
+  return good ? hz : -1;
 }
 
-void read_sources(const InfoFile& info, TtProject& project) {
+void read_clock(const InfoFile& info, const TtReading& reading, TtProject& project) {
+  constexpr const char* Key = "clock_hz";
+  if (reading.clock_hz) {
+    if (*reading.clock_hz < LeastHz || *reading.clock_hz > static_cast<long long>(MostHz))
+      throw UsageError(fmt::format("--clock-hz {} is out of range; {}..{} Hz", *reading.clock_hz,
+                                   LeastHz, static_cast<long long>(MostHz)));
+    project.clock_hz = static_cast<std::uint64_t>(*reading.clock_hz);
+    project.clock_sure = true;
+    return;
+  }
+  const YAML::Node node = info.find(Key);
+  if (!node || node.IsNull()) return;
+  const double hz = node.IsScalar() ? hz_of(node.Scalar()) : -1;
+  if (hz < 0)
+    info.fail(node.Mark(), fmt::format("project.{} must be the clock in Hz, such as 25175000, or 0 "
+                                       "if it is not known; --clock-hz N overrides it",
+                                       Key));
+  project.clock_hz = static_cast<std::uint64_t>(std::llround(hz));
+}
+
+void read_sources(const InfoFile& info, bool trust, TtProject& project) {
   constexpr const char* Key = "source_files";
   constexpr const char* What = "a list of Verilog or SystemVerilog files";
   const YAML::Node list = info.project(Key, What);
@@ -113,6 +125,10 @@ void read_sources(const InfoFile& info, TtProject& project) {
                 fmt::format("there is no source file {}, nor {}", (folder / "src" / name).string(),
                             (folder / name).string()));
     const fs::path place = has(folder / "src") ? folder / "src" : folder;
+    if (!trust && !lies_in((place / name).string(), project.folder))
+      info.fail(node.Mark(), fmt::format("the source file {} lies outside of the project; --trust "
+                                         "if you trust it",
+                                         name));
     if (project.sources.empty()) project.source_folder = place.string();
     project.sources.push_back((place / name).string());
   }
@@ -127,9 +143,41 @@ std::string hash_of(const std::vector<std::string>& files) {
   return fmt::format("xxh64 {:016x}", XXH64(all.data(), all.size(), 0));
 }
 
+/// Include folders and defines.
+void read_settings(const TtReading& reading, TtProject& project) {
+  const fs::path folder(project.folder);
+  const TtSettings config = read_config_json((folder / "src/config.json").string());
+  project.config_defines = config.defines;
+  project.test_defines = read_test_defines((folder / "test/Makefile").string());
+  project.defines = reading.defines;
+  project.defines.insert(project.defines.end(), config.defines.begin(), config.defines.end());
+  auto& folders = project.include_folders;
+  for (const std::string& name : reading.include_folders) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) throw UsageError("--include: there is no folder " + name);
+    folders.push_back(name);
+    project.trusted_folders.push_back(name);
+  }
+  folders.insert(folders.end(), config.include_folders.begin(), config.include_folders.end());
+  std::vector<std::string> found = {project.source_folder};
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder / "src", error), end; !error && at != end;
+       at.increment(error))
+    if (at->is_directory(error)) found.push_back(at->path().string());
+  std::sort(found.begin() + 1, found.end());
+  folders.insert(folders.end(), found.begin(), found.end());
+}
+
 }  // namespace
 
-TtProject read_tt_project(const std::string& folder) {
+bool lies_in(const std::string& path, const std::string& folder) {
+  std::error_code error;
+  const fs::path inner =
+      fs::weakly_canonical(path, error).lexically_relative(fs::weakly_canonical(folder, error));
+  return !error && !inner.empty() && *inner.begin() != "..";
+}
+
+TtProject read_tt_project(const std::string& folder, const TtReading& reading) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw UsageError("there is no folder '" + folder + "'; --tt takes a Tiny Tapeout project");
@@ -140,8 +188,9 @@ TtProject read_tt_project(const std::string& folder) {
   TtProject project;
   project.folder = folder;
   project.top = read_top(info);
-  read_sources(info, project);
-  read_clock(info, project);
+  read_sources(info, reading.trust, project);
+  read_clock(info, reading, project);
+  read_settings(reading, project);
   project.hash = hash_of(project.sources);
   return project;
 }

@@ -12,6 +12,8 @@
 namespace racebeam {
 namespace {
 
+constexpr int LostShare = 10;  // the syncs are lost if they are wrong in that part of the clocks
+
 std::array<std::uint8_t, 256> make_colours() {
   std::array<std::uint8_t, 256> table{};
   for (int pins = 0; pins < 256; ++pins)
@@ -29,9 +31,12 @@ std::string clocks(int begin, int end) {
 
 }  // namespace
 
-VgaMonitor::VgaMonitor(const Raster& raster, FrameCallback on_frame, VgaCrcs crcs)
-    : raster_(raster), on_frame_(std::move(on_frame)), crcs_(crcs) {
-  frame_.colours.resize(VisibleColumns * VisibleRows);
+VgaMonitor::VgaMonitor(const Raster& raster, FrameCallback on_frame, VgaCrcs crcs,
+                       VgaFaults* tolerated)
+    : raster_(raster), on_frame_(std::move(on_frame)), crcs_(crcs), tolerated_(tolerated) {
+  frame_.width = raster_.columns;
+  frame_.height = raster_.rows;
+  frame_.colours.resize(std::size_t(frame_.width) * frame_.height);
 }
 
 void VgaMonitor::change(std::uint64_t clock, std::uint8_t pins) {
@@ -57,7 +62,11 @@ void VgaMonitor::finish_frame() {
 
   const Run* run = whole_.data();
   const Run* const last = run + whole_.size() - 2;
-  for (int line = 0; line < FrameLines; ++line) finish_line(FirstLine + line, run, last);
+  const std::uint64_t wrong = tolerated_ ? tolerated_->sync_clocks : 0;
+  for (int y = raster_.first_line; y <= raster_.last_line(); ++y) finish_line(y, run, last);
+  if (tolerated_ && (tolerated_->sync_clocks - wrong) * LostShare > std::uint64_t(frame_clocks))
+    throw SyncError("the syncs are lost in frame " + std::to_string(frame_.index) + "; first, " +
+                    tolerated_->first_sync);
 
   if (crcs_.image)
     frame_.image_crc = static_cast<std::uint32_t>(
@@ -72,8 +81,8 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
   static const std::array<std::uint8_t, 256> colours = make_colours();
   const Raster& r = raster_;
   const bool visible = r.visible_line(y);
-  const bool above = r.vsync(y == FirstLine ? LastLine : y - 1), here = r.vsync(y);
-  const bool known = frame_.index > 0 || y > FirstLine;  // vs is not reset
+  const bool above = r.vsync(y == r.first_line ? r.last_line() : y - 1), here = r.vsync(y);
+  const bool known = frame_.index > 0 || y > r.first_line;  // vs is not reset
   const struct {
     int begin, end;  // clocks of the line
     bool hsync, black;
@@ -82,9 +91,9 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
                  {r.sync_begin, r.sync_end, r.hsync_pulse, true, "sync pulse"},
                  {r.sync_end, r.active_begin, !r.hsync_pulse, true, "back porch"},
                  {r.active_begin, r.line_clocks(), !r.hsync_pulse, !visible, "visible columns"}};
-  const int first = (y - FirstLine) * r.line_clocks();
+  const int first = (y - r.first_line) * r.line_clocks();
   std::uint8_t* const row =
-      visible ? &frame_.colours[(y - FirstVisibleLine) * VisibleColumns] : nullptr;
+      visible ? &frame_.colours[std::size_t(y - r.first_visible_line) * r.columns] : nullptr;
   for (const auto& region : regions) {
     Span span{region.begin, region.end, region.hsync, above, known, region.black, region.name};
     for (int clock = region.begin; clock < region.end;) {
@@ -92,7 +101,7 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
       span.check_vsync = known || clock >= r.vsync_at;
       int end = std::min(run[1].clock - first, region.end);
       if (clock < r.vsync_at) end = std::min(end, r.vsync_at);
-      check(span, y, clock, run->pins);
+      check(span, y, clock, end - clock, run->pins);
       if (row) std::fill(row + r.column_at[clock], row + r.column_at[end], colours[run->pins]);
       clock = end;
       if (run[1].clock - first <= clock && run != last) ++run;
@@ -100,17 +109,22 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
   }
 }
 
-void VgaMonitor::check(const Span& span, int y, int clock, std::uint8_t pins) const {
-  const bool good = ((pins >> PinHsync) & 1) == span.hsync &&
-                    (!span.check_vsync || ((pins >> PinVsync) & 1) == span.vsync) &&
-                    (!span.black || !(pins & ColourPins));
-  if (!good) fail(span, y, clock, pins);
+void VgaMonitor::check(const Span& span, int y, int clock, int clocks, std::uint8_t pins) {
+  const bool syncs = ((pins >> PinHsync) & 1) == span.hsync &&
+                     (!span.check_vsync || ((pins >> PinVsync) & 1) == span.vsync);
+  const bool black = !span.black || !(pins & ColourPins);
+  if (syncs && black) return;
+  if (!tolerated_) throw SyncError(fault(span, y, clock, pins));
+  std::uint64_t& count = syncs ? tolerated_->colour_clocks : tolerated_->sync_clocks;
+  std::string& first = syncs ? tolerated_->first_colour : tolerated_->first_sync;
+  if (count == 0) first = fault(span, y, clock, pins);
+  count += static_cast<std::uint64_t>(clocks);
 }
 
-void VgaMonitor::fail(const Span& span, int y, int clock, std::uint8_t pins) const {
+std::string VgaMonitor::fault(const Span& span, int y, int clock, std::uint8_t pins) const {
   const bool hsync = (pins >> PinHsync) & 1, vsync = (pins >> PinVsync) & 1;
   const std::string from = " clock " + std::to_string(raster_.vsync_at);
-  const int end = raster_.vsync_line + Raster::VsyncLines;
+  const int end = raster_.vsync_line + raster_.vsync_lines;
   std::string what = "frame " + std::to_string(frame_.index) + ", line " + std::to_string(y) +
                      ", clock " + std::to_string(clock) + ": ";
   if (hsync != span.hsync) {
@@ -120,7 +134,7 @@ void VgaMonitor::fail(const Span& span, int y, int clock, std::uint8_t pins) con
     what += must_be("vsync", vsync, span.vsync) + " (" +
             (span.vsync == raster_.vsync_pulse ? "sync pulse" : "outside the pulse") +
             ", which is line " + std::to_string(raster_.vsync_line) + from + " up to line " +
-            std::to_string(end > LastLine ? end - FrameLines : end) + from + ")";
+            std::to_string(end > raster_.last_line() ? end - raster_.lines : end) + from + ")";
   } else {
     const int colour = colour_of_pins(pins);
     what += "red, green, blue are " + std::to_string(colour >> 4) + ", " +
@@ -130,7 +144,7 @@ void VgaMonitor::fail(const Span& span, int y, int clock, std::uint8_t pins) con
                                                : "line " + std::to_string(y) + " is not visible") +
             ")";
   }
-  throw SyncError(what);
+  return what;
 }
 
 std::uint32_t VgaMonitor::crc_of_pins() const {

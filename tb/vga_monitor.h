@@ -12,13 +12,15 @@
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tb/raster.h"
 
 namespace racebeam {
 
-/// The pins break the video mode; says frame, line, clock, what was seen and what must be there.
+/// The pins break the video mode, or have none; says frame, line, clock, what was seen and what
+/// must be there.
 class SyncError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -43,8 +45,9 @@ constexpr int pins_of_colour(int colour) {
 
 /// A checked frame.
 struct VgaFrame {
-  std::uint64_t index = 0;            ///< 0 is the first after reset
-  std::vector<std::uint8_t> colours;  ///< 640 x 480, row by row, r * 16 + g * 4 + b
+  std::uint64_t index = 0;  ///< 0 is the first after reset
+  int width = VisibleColumns, height = VisibleRows;
+  std::vector<std::uint8_t> colours;  ///< width x height, row by row, r * 16 + g * 4 + b
   std::uint32_t image_crc = 0;        ///< CRC-32 of colours; 0 unless asked for
   std::uint32_t pins_crc = 0;         ///< CRC-32 of the pins in each clock; 0 unless asked for
 };
@@ -55,13 +58,25 @@ struct VgaCrcs {
   bool pins = false;
 };
 
+/// What broke the mode in a run that went on nevertheless.
+struct VgaFaults {
+  std::uint64_t sync_clocks = 0;    ///< in which hsync or vsync was wrong
+  std::uint64_t colour_clocks = 0;  ///< in which there was colour outside of the visible pixels
+  std::string first_sync, first_colour;  ///< as SyncError says it
+
+  bool any() const { return sync_clocks || colour_clocks; }
+};
+
 /// Clock 0 is the first clock of the front porch of line -273: the first after reset.
 class VgaMonitor {
  public:
   using FrameCallback = std::function<void(const VgaFrame&)>;
 
-  /// `on_frame` is called once for each whole frame; the frame it gets is reused afterwards.
-  VgaMonitor(const Raster& raster, FrameCallback on_frame, VgaCrcs crcs = {});
+  /// `on_frame` is called once for each whole frame; the frame it gets is reused afterwards. With
+  /// `tolerated`, which must outlive the monitor, faults are counted there and the frame is handed
+  /// on, unless the syncs are lost: wrong in a tenth of its clocks.
+  VgaMonitor(const Raster& raster, FrameCallback on_frame, VgaCrcs crcs = {},
+             VgaFaults* tolerated = nullptr);
 
   /// The pins have this value from `clock` on; of several calls for one clock the last wins. Every
   /// clock before it is known. The pins are 0 until told. Throws SyncError, and std::logic_error
@@ -71,7 +86,7 @@ class VgaMonitor {
   /// Every clock before `clock` is known. Throws as change() does.
   void advance(std::uint64_t clock);
 
-  /// Frames found good.
+  /// Frames handed on.
   std::uint64_t frames() const { return good_frames_; }
 
  private:
@@ -89,13 +104,14 @@ class VgaMonitor {
 
   void finish_frame();
   void finish_line(int y, const Run*& run, const Run* end);
-  void check(const Span& span, int y, int clock, std::uint8_t pins) const;
-  [[noreturn]] void fail(const Span& span, int y, int clock, std::uint8_t pins) const;
+  void check(const Span& span, int y, int clock, int clocks, std::uint8_t pins);
+  std::string fault(const Span& span, int y, int clock, std::uint8_t pins) const;
   std::uint32_t crc_of_pins() const;
 
   const Raster raster_;
   const FrameCallback on_frame_;
   const VgaCrcs crcs_;
+  VgaFaults* const tolerated_;
   std::uint64_t frame_begin_ = 0;  // clock 0 of the frame being seen
   std::uint64_t now_ = 0;          // every clock before is known
   std::uint64_t good_frames_ = 0;

@@ -10,10 +10,10 @@
 #include <optional>
 
 #include "sc/camera_unit.h"
-#include "sc/rtl_twin.h"
 #include "sc/sequencer.h"
 #include "tb/golden/golden_camera.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -177,6 +177,6 @@ class CameraUnitTest : public CameraUnitKnobTest<Unit> {
   CameraUnitTest() { this->build({}); }
 };
 
-using Twins = testing::Types<camera_unit, rtl_twin<camera_unit>>;
+using Twins = testing::Types<camera_unit, own_rtl<camera_unit>>;
 
 }  // namespace racebeam

@@ -12,7 +12,7 @@
 namespace racebeam {
 namespace {
 
-constexpr int CrowdedFrame = 7223;  // open heights: the frame that starves most
+constexpr int CrowdedFrame = 7223;  // open heights: a frame that starves much
 
 class ChipKnobs : public testing::TestWithParam<const char*> {};
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tb/core_bench.h"
+#include "tb/plugin_maker.h"
 #include "tb/signal_bench.h"
 #include "tests/expect_stats.h"
 
@@ -24,7 +25,8 @@ void expect_the_chip(unsigned rtl_units, int frame) {
   std::string names;
   for (int n = 0; n < Units; ++n)
     if (rtl_units >> n & 1) {
-      choices.by_unit[chip_units(false)[n]] = {unit_choice::Rtl, false, ""};
+      choices.by_unit[chip_units(false)[n]] = {unit_choice::Rtl, false,
+                                               PluginMaker({}, nullptr).own(chip_units(false)[n])};
       names += chip_units(false)[n] + " ";
     }
   SCOPED_TRACE("frame " + std::to_string(frame) + ", RTL: " + names);

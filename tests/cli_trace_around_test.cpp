@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int Crowded = 7223;  // open heights: the frame that starves most
+constexpr int Crowded = 7223;  // open heights: a frame that starves much
 
 struct Event {
   std::string trigger;

@@ -218,7 +218,7 @@ TEST_F(CliTtTest, RefusesOptionsOfScenes) {
   expect_end({"--tt", Bars, "--first", "999999", "--frames", "2"}, 2, {"beyond 999999"});
   expect_end({"--tt", Bars, "--wav", "a.wav", "--every", "2"}, 2, {"--wav", "--every"});
   expect_end({"--tt", ""}, 2, {"--tt", "empty"});
-  expect_end({"demo", "--ui", "1"}, 2, {"--ui and --uio", "--tt"});
+  expect_end({"demo", "--ui", "1"}, 2, {"--ui, --uio and --inputs", "--tt"});
 }
 
 TEST_F(CliTtTest, MissingVerilatorEndsWith3) {

@@ -155,7 +155,7 @@ TEST_F(CliViewTest, RecordsAGifOfTheFramesThatAreShown) {
 
 TEST_F(CliViewTest, EndsAGifThatIsBeingRecordedWhenItEnds) {
   ASSERT_EQ(view({"demo", "--first", "60", "--frames", "2", "--keys", "v"}), 0) << said;
-  EXPECT_THAT(said, HasSubstr("wrote 2 frames to ./view_0060.gif"));
+  EXPECT_THAT(said, HasSubstr("wrote view_0060.gif, 0.04 s in 2 pictures"));
 }
 
 TEST_F(CliViewTest, MistakesEndWithTwoAndSayWhatToDo) {

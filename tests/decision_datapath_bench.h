@@ -13,9 +13,9 @@
 
 #include "sc/decision_datapath.h"
 #include "sc/navigator.h"
-#include "sc/rtl_twin.h"
 #include "sc/subdivider.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -186,7 +186,7 @@ class DecisionDatapathTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<decision_datapath, rtl_twin<decision_datapath>>;
+using Twins = testing::Types<decision_datapath, own_rtl<decision_datapath>>;
 
 /// From the root straight down through z faces, until `depth`.7.
 template <class Unit>

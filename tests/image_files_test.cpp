@@ -6,11 +6,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
+#include "tests/gif_delays.h"
 #include "tests/read_picture.h"
 #include "tests/scratch_folder.h"
 
@@ -27,11 +27,6 @@ Picture random_picture(int width, int height, int colours, unsigned seed) {
   }
   picture.resize(static_cast<std::size_t>(width) * height);
   return picture;
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 class ImageFiles : public testing::Test {
@@ -86,7 +81,7 @@ TEST_F(ImageFiles, GifWritesOnlyWhatChanged) {
   picture[640 * 479 + 639] ^= 1;
   gif.add(picture);
   gif.close();
-  EXPECT_EQ(gif.frames(), 3);
+  EXPECT_EQ(gif.pictures(), 3);
   EXPECT_EQ(read_picture(folder / "a.gif", 1), read_picture(folder / "a.gif", 0));
   EXPECT_EQ(read_picture(folder / "a.gif", 2), picture);
   GifWriter once(folder / "b.gif", 640, 480, 10);
@@ -96,21 +91,32 @@ TEST_F(ImageFiles, GifWritesOnlyWhatChanged) {
             std::filesystem::file_size(folder / "b.gif") + 60);
 }
 
-TEST_F(ImageFiles, GifShowsAtMost50FramesPerSecond) {
-  const auto delay = [&](double rate) {
+TEST_F(ImageFiles, GifPlaysAtTheRateOfItsFrames) {
+  const auto delays = [&](double rate, int frames, int after = 1) {
     GifWriter gif(folder / "a.gif", 4, 4, rate);
-    gif.add(Picture(16));
+    for (int i = 0; i < frames; ++i) gif.add(Picture(16), after);
     gif.close();
-    const std::string bytes = bytes_of(folder / "a.gif");
-    const std::size_t control = bytes.find("\x21\xf9\x04");
-    return static_cast<unsigned char>(bytes[control + 4]) +
-           256 * static_cast<unsigned char>(bytes[control + 5]);
+    const std::vector<int> all = gif_delays(folder / "a.gif");
+    EXPECT_EQ(static_cast<int>(all.size()), gif.pictures());
+    EXPECT_DOUBLE_EQ(std::accumulate(all.begin(), all.end(), 0) / 100.0, gif.seconds());
+    return all;
   };
-  EXPECT_EQ(delay(60), 2);
-  EXPECT_EQ(delay(50), 2);
-  EXPECT_EQ(delay(30), 3);
-  EXPECT_EQ(delay(0.25), 400);
-  EXPECT_THROW(delay(0), std::invalid_argument);
+  EXPECT_EQ(delays(60, 60), std::vector<int>(50, 2));
+  EXPECT_EQ(delays(50, 3), std::vector<int>(3, 2));
+  EXPECT_EQ(delays(30, 3), (std::vector<int>{3, 4, 3}));
+  EXPECT_EQ(delays(10, 3), std::vector<int>(3, 10));
+  EXPECT_EQ(delays(0.25, 1), std::vector<int>{400});
+  EXPECT_EQ(delays(60, 3, 6), (std::vector<int>{10, 10, 2})) << "five of six frames left out";
+  EXPECT_THROW(delays(0, 1), std::invalid_argument);
+}
+
+TEST_F(ImageFiles, GifOf60FramesPerSecondLeavesOutOneOfSix) {
+  GifWriter gif(folder / "a.gif", 4, 4, 60);
+  for (int i = 0; i < 12; ++i) gif.add(Picture(16, static_cast<std::uint8_t>(i)));
+  gif.close();
+  const int kept[] = {0, 1, 2, 3, 5, 6, 7, 8, 9, 11};
+  ASSERT_EQ(gif.pictures(), 10);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(read_picture(folder / "a.gif", i), Picture(16, kept[i]));
 }
 
 TEST_F(ImageFiles, GifDownscaleKeepsTheTopLeftPixels) {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sc/interval_fifo.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -60,6 +60,6 @@ class IntervalFifoTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<interval_fifo, rtl_twin<interval_fifo>>;
+using Twins = testing::Types<interval_fifo, own_rtl<interval_fifo>>;
 
 }  // namespace racebeam

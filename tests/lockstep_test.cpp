@@ -28,7 +28,7 @@ class LockstepTest : public testing::Test {
   }
 
   stacks model{"model", knobs{}};
-  Lockstep lockstep{"lockstep", "stacks", model, knobs{}, ""};
+  Lockstep lockstep{"lockstep", "stacks", model, knobs{}, PluginMaker({}, nullptr).own("stacks")};
   UnitBench bench{model, &lockstep.clk_i};
   RandomTraffic traffic{bench, {}, 7};
 };

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sc/navigator.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -152,6 +152,6 @@ class NavigatorTest : public NavigatorBench<Unit, World> {
   }
 };
 
-using Twins = testing::Types<navigator, rtl_twin<navigator>>;
+using Twins = testing::Types<navigator, own_rtl<navigator>>;
 
 }  // namespace racebeam

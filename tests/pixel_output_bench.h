@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sc/pixel_output.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -67,6 +67,6 @@ class PixelOutputTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<pixel_output, rtl_twin<pixel_output>>;
+using Twins = testing::Types<pixel_output, own_rtl<pixel_output>>;
 
 }  // namespace racebeam

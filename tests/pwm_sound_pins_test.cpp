@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <random>
 
-#include "sc/rtl_twin.h"
 #include "sc/vga_timing.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 #include "tests/pwm_sound_bench.h"
 
 namespace racebeam {
@@ -68,7 +68,7 @@ class PwmSoundPins : public testing::Test {
   }
 };
 
-using Twins = testing::Types<pwm_sound, rtl_twin<pwm_sound>>;
+using Twins = testing::Types<pwm_sound, own_rtl<pwm_sound>>;
 TYPED_TEST_SUITE(PwmSoundPins, Twins);
 
 TYPED_TEST(PwmSoundPins, PinIsHighUntilTheFirstSample) {

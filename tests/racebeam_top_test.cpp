@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "sc/chip_core.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 namespace {
@@ -49,7 +49,7 @@ struct tt_um_racebeam {
 
 // Every clock of both pins against the cores, from reset on.
 void expect_pins_of_the_chip(const knobs& k, int clocks) {
-  rtl_twin<racebeam_top> top("dut");
+  own_rtl<racebeam_top> top("dut");
   UnitBench bench(top);
   chip_core chip;
   bench["speed_i"].drive(k.speed);
@@ -88,7 +88,7 @@ TEST(RacebeamTop, PinsAreTheChipsAtFullSpeedWithoutInterlace) {
 TEST(TinyTapeoutTop, PinsAreTheChips) {
   knobs k;
   k.speed = 5;
-  rtl_twin<tt_um_racebeam> tile("dut");
+  own_rtl<tt_um_racebeam> tile("dut");
   UnitBench bench(tile);
   chip_core chip;
   int n = 0;

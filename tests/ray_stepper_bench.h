@@ -11,8 +11,8 @@
 #include <random>
 
 #include "sc/ray_stepper.h"
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -130,6 +130,6 @@ class RayStepperKnobTest : public testing::Test {
   std::optional<UnitBench> bench;
 };
 
-using Twins = testing::Types<ray_stepper, rtl_twin<ray_stepper>>;
+using Twins = testing::Types<ray_stepper, own_rtl<ray_stepper>>;
 
 }  // namespace racebeam

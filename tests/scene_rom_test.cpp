@@ -3,7 +3,6 @@
 #include "sc/scene_rom.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,7 +11,9 @@
 
 #include "sc/rtl_twin.h"
 #include "tb/scene/program_tables.h"
+#include "tb/verilate/rtl_plugin.h"
 #include "tests/beside.h"
+#include "tests/scratch_folder.h"
 
 namespace racebeam {
 namespace {
@@ -60,26 +61,31 @@ struct Answer {
   }
 };
 
-/// The RTL with a table of its own.
-class scene_rom_rtl : public rtl_twin<scene_rom> {
- public:
-  scene_rom_rtl(const char* name, const scene_program& program)
-      : rtl_twin<scene_rom>(name, {}, verilated(program)) {}
+/// A folder of this process with the table.
+class TableFolder {
+ protected:
+  explicit TableFolder(const scene_program& program) {
+    std::ofstream(folder_ / Table) << room_table(program);
+    std::filesystem::current_path(folder_.path());
+  }
+  static constexpr const char* Table = "rooms.hex";
 
  private:
-  /// Built once for all tests; only the table is written anew.
-  static std::string verilated(const scene_program& program) {
-    namespace fs = std::filesystem;
-    const fs::path chips = rtl_plugin_path("scene_rom", {});
-    const std::string table = fs::path(chips).replace_extension(".test.hex"),
-                      plugin = fs::path(chips).replace_extension(".test.so"),
-                      fresh = table + "." + std::to_string(getpid());
-    std::ofstream(fresh) << room_table(program);
-    fs::rename(fresh, table);
-    if (!fs::exists(plugin) || fs::last_write_time(plugin) < fs::last_write_time(chips))
-      build_rtl_plugin("scene_rom", {RACEBEAM_SOURCE_DIR "/rtl/scene_rom.sv"},
-                       {"RoomFile=\"" + table + "\"", "Rooms=" + std::to_string(Rooms)}, plugin);
-    return plugin;
+  const ScratchFolder folder_;
+};
+
+/// The RTL with a table of its own.
+class scene_rom_rtl : private TableFolder, public rtl_twin<scene_rom> {
+ public:
+  scene_rom_rtl(const char* name, const scene_program& program)
+      : TableFolder(program), rtl_twin<scene_rom>(name, {}, plugin()) {}
+
+ private:
+  static std::string plugin() {
+    RtlSources sources{"scene_rom", {RACEBEAM_SOURCE_DIR "/rtl/scene_rom.sv"}};
+    sources.parameters = {"Rooms=" + std::to_string(Rooms),
+                          "RoomFile=\"" + std::string(Table) + "\""};
+    return rtl_plugin(sources);
   }
 };
 

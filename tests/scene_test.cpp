@@ -7,9 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "sc/rtl_twin.h"
 #include "sc/sequencer.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 namespace {
@@ -124,7 +124,7 @@ class SceneTest : public testing::Test {
   UnitBench bench{unit};
 };
 
-using Twins = testing::Types<scene, rtl_twin<scene>>;
+using Twins = testing::Types<scene, own_rtl<scene>>;
 TYPED_TEST_SUITE(SceneTest, Twins);
 
 // Contract 20.4.

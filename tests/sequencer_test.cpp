@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 namespace {
@@ -163,7 +163,7 @@ class SequencerWideDrTest : public SequencerTest<Unit> {
   SequencerWideDrTest() : SequencerTest<Unit>(wide()) {}
 };
 
-using Twins = testing::Types<sequencer, rtl_twin<sequencer>>;
+using Twins = testing::Types<sequencer, own_rtl<sequencer>>;
 TYPED_TEST_SUITE(SequencerTest, Twins);
 TYPED_TEST_SUITE(SequencerWideDrTest, Twins);
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 namespace {
@@ -60,7 +60,7 @@ class StacksTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<stacks, rtl_twin<stacks>>;
+using Twins = testing::Types<stacks, own_rtl<stacks>>;
 TYPED_TEST_SUITE(StacksTest, Twins);
 
 // Item S of section 18: never reset, 0 at power-up.

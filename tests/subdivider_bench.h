@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sc/rtl_twin.h"
 #include "sc/subdivider.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 
@@ -71,6 +71,6 @@ class SubdividerTest : public testing::Test {
   Dut<Unit> dut;
 };
 
-using Twins = testing::Types<subdivider, rtl_twin<subdivider>>;
+using Twins = testing::Types<subdivider, own_rtl<subdivider>>;
 
 }  // namespace racebeam

@@ -13,6 +13,7 @@
 #include "sc/rtl_twin.h"
 #include "sc/timeline.h"
 #include "tb/scene/program_tables.h"
+#include "tb/verilate/rtl_plugin.h"
 #include "tests/beside.h"
 #include "tests/scratch_folder.h"
 
@@ -166,15 +167,10 @@ class rtl_timeline : private TableFolder, public rtl_twin<timeline> {
 
  private:
   static std::string plugin(const knobs& k) {
-    namespace fs = std::filesystem;
-    const std::string dr_bits = "DrBits=" + std::to_string(k.dr_bits);
-    const fs::path own = rtl_plugin_path("timeline", {});
-    const fs::path path = own.parent_path() / ("timeline.test." + dr_bits + ".so");
-    if (!fs::exists(path) || fs::last_write_time(path) < fs::last_write_time(own))
-      build_rtl_plugin("timeline", {RACEBEAM_SOURCE_DIR "/rtl/timeline.sv"},
-                       {"Shots=8", "ShotFile=\"" + std::string(Table) + "\"", dr_bits},
-                       path.string());
-    return path.string();
+    RtlSources sources{"timeline", {RACEBEAM_SOURCE_DIR "/rtl/timeline.sv"}};
+    sources.parameters = {"Shots=8", "ShotFile=\"" + std::string(Table) + "\"",
+                          "DrBits=" + std::to_string(k.dr_bits)};
+    return rtl_plugin(sources);
   }
 };
 

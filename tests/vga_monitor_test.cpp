@@ -223,6 +223,35 @@ const Fault faults[] = {
 INSTANTIATE_TEST_SUITE_P(Pins, VgaMonitorFaults, testing::ValuesIn(faults),
                          [](const auto& info) { return std::string(info.param.name); });
 
+TEST(VgaMonitor, ToleratedFaultsAreCountedAndTheFrameIsHandedOn) {
+  Pins pins(2);
+  pins.flip(0x20, 240, 400, 409, 0);
+  pins.flip(0x20, 240, 400, 409, 1);
+  pins.flip(Hsync, 100, 223, 223, 1);
+  VgaFaults faults;
+  int frames = 0;
+  VgaMonitor monitor(
+      Raster(),
+      [&](const VgaFrame& frame) {
+        ++frames;
+        for (int x = 0; x < 640; ++x) ASSERT_EQ(frame.colours[x], picture(x, 0));
+      },
+      {}, &faults);
+  pins.feed(monitor);
+  EXPECT_EQ(frames, 2);
+  EXPECT_EQ(faults.colour_clocks, 20u);
+  EXPECT_EQ(faults.sync_clocks, 1u);
+  EXPECT_EQ(faults.first_colour.find("frame 0, line 240, clock 400: red, green, blue are 0, 1, 0"),
+            0u);
+  EXPECT_EQ(faults.first_sync.find("frame 1, line 100, clock 223: hsync is 1, must be 0"), 0u);
+}
+
+TEST(VgaMonitor, LostSyncsAreNotTolerated) {
+  VgaFaults faults;
+  VgaMonitor monitor(Raster(), nullptr, {}, &faults);
+  EXPECT_THROW(monitor.advance(FrameClocks), SyncError);
+}
+
 TEST(VgaMonitor, DeadPinsAreRefused) {
   VgaMonitor monitor(Raster(), nullptr);
   monitor.advance(FrameClocks - 1);

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "sc/rtl_twin.h"
 #include "tb/unit_bench.h"
+#include "tests/own_rtl.h"
 
 namespace racebeam {
 namespace {
@@ -139,7 +139,7 @@ class VgaTimingTest : public VgaTimingKnobTest<Unit> {
   }
 };
 
-using Twins = testing::Types<vga_timing, rtl_twin<vga_timing>>;
+using Twins = testing::Types<vga_timing, own_rtl<vga_timing>>;
 TYPED_TEST_SUITE(VgaTimingTest, Twins);
 TYPED_TEST_SUITE(VgaTimingKnobTest, Twins);
 

@@ -24,10 +24,11 @@ struct ChipSignal {
   int bits;                                ///< 1..64
   wire_contents wire{};                    ///< of a wire or port
   std::function<std::uint64_t()> inner{};  ///< reads a register, or a signal inside RTL
+  bool is_pin = false;                     ///< though `inner` reads it: of a chip in RTL
 
   std::string path() const { return scope + "." + name; }
-  bool is_port() const { return !inner; }
-  bool is_clock() const { return name == "clk_i"; }
+  bool is_port() const { return !inner || is_pin; }
+  bool is_clock() const { return name == "clk_i" || name == "clk"; }
   /// The same for all names of a wire; nullptr of an inner signal.
   const void* carrier() const {
     return wire.bit ? static_cast<const void*>(wire.bit) : static_cast<const void*>(wire.word);

@@ -12,12 +12,12 @@
 #include <functional>
 #include <list>
 #include <regex>
+#include <utility>
 #include <vector>
 
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/nearest.h"
-#include "tb/trace/chip_signals.h"
 #include "tb/trace/signal_look.h"
 #include "tb/trace/trace_window.h"
 
@@ -81,8 +81,8 @@ struct Condition::Parser {
   mu::Parser parser;
   std::list<Variable> variables;  // their places are known to the parser
 
-  Parser(const std::string& t, const SignalBench& bench, const Raster& r)
-      : text(t), raster(r), signals(chip_signals(bench)) {
+  Parser(const std::string& t, std::vector<ChipSignal> all, const Raster& r)
+      : text(t), raster(r), signals(std::move(all)) {
     refuse_surprises(text);
     parser.DefineNameChars(NameCharacters);
     parser.ClearConst();
@@ -189,8 +189,8 @@ struct Condition::Parser {
   }
 };
 
-Condition::Condition(const std::string& text, const SignalBench& bench, const Raster& raster)
-    : parser_(new Parser(text, bench, raster)) {}
+Condition::Condition(const std::string& text, std::vector<ChipSignal> signals, const Raster& raster)
+    : parser_(new Parser(text, std::move(signals), raster)) {}
 Condition::~Condition() = default;
 
 bool Condition::holds(std::int64_t clock) {

@@ -14,18 +14,18 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tb/raster.h"
-#include "tb/signal_bench.h"
+#include "tb/trace/chip_signals.h"
 
 namespace racebeam {
 
 class Condition {
  public:
   /// Throws UsageError that names the place: no such signal or state, not an expression, no signal
-  /// at all. The registers of the bench are to be watched.
-  /// `bench` and `raster` outlive it.
-  Condition(const std::string& text, const SignalBench& bench, const Raster& raster);
+  /// at all. The registers of a bench are to be watched. `raster` outlives it.
+  Condition(const std::string& text, std::vector<ChipSignal> signals, const Raster& raster);
   ~Condition();
 
   /// Whether it is not 0 in the clock of this ordinal, in which the bench has settled.

@@ -1,4 +1,4 @@
-// LineProgress: a progress bar over the lines of a TraceRun.
+// LineProgress: a progress bar over the lines of a ClockedRun.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -9,14 +9,14 @@
 #include <utility>
 
 #include "tb/progress.h"
-#include "tb/trace/trace_run.h"
+#include "tb/trace/clocked_run.h"
 
 namespace racebeam {
 
 class LineProgress {
  public:
   /// From where `run`, which outlives this, stands to the clock `last`; `note` goes with the bar.
-  LineProgress(TraceRun& run, std::int64_t last, std::function<std::string()> note)
+  LineProgress(ClockedRun& run, std::int64_t last, std::function<std::string()> note)
       : run_(run), bar_((last - run.clock()) / run.raster().line_clocks() + 1, "lines") {
     run.each_line([this, begin = run.clock(), note = std::move(note)](std::int64_t clock) {
       const std::int64_t clocks = clock - begin;
@@ -33,7 +33,7 @@ class LineProgress {
   }
 
  private:
-  TraceRun& run_;
+  ClockedRun& run_;
   Progress bar_;
 };
 

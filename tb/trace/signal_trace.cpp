@@ -14,6 +14,8 @@ namespace racebeam {
 
 namespace {
 
+constexpr int ForeignFrameBits = 20;  // of other chips: up to a million
+
 bool any_matches(const std::vector<std::string>& patterns, const std::string& path) {
   return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
     return fnmatch(pattern.c_str(), path.c_str(), 0) == 0 ||
@@ -43,7 +45,9 @@ SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& r
     : raster_(raster),
       period_(static_cast<std::uint64_t>(period_ps)),
       part_(std::move(part)),
-      vcd_(vcd) {
+      vcd_(vcd),
+      line_bits_(1 + count_bits(std::max(raster.last_line() + 1, -raster.first_line))),
+      frame_bits_(part_ ? FrameBits : ForeignFrameBits) {
   add_beam(!overview);
   const std::size_t virtual_ones = vcd_.names().size();
   std::map<const void*, int> carried;  // signals of wires that have a name already
@@ -59,17 +63,17 @@ SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& r
     else if (const int added = add(signal); carrier) carried[carrier] = added;
   }
   if (vcd_.names().size() == virtual_ones)
-    throw UsageError(
-        "no signal is under --scope and --depth; names look like chip.u_subdivider.i1_q: try "
-        "--scope 'chip.u_subdivider', or '*_q'");
+    throw UsageError("no signal is under --scope and --depth; names look like " +
+                     (part_ ? "chip.u_subdivider.i1_q: try --scope 'chip.u_subdivider', or '*_q'"
+                            : signals.back().path()));
 }
 
 void SignalTrace::add_beam(bool with_clock) {
-  frame_ = vcd_.add("beam", "frame", FrameBits);
-  line_ = vcd_.add("beam", "line", 10);
+  frame_ = vcd_.add("beam", "frame", frame_bits_);
+  line_ = vcd_.add("beam", "line", line_bits_);
   pixel_ = vcd_.add("beam", "pixel", 11);
   clock_ = vcd_.add("beam", "clock", count_bits(raster_.line_clocks()));
-  show_ = vcd_.add_text("beam", "part");
+  if (part_) show_ = vcd_.add_text("beam", "part");
   if (with_clock) clk_ = vcd_.add("beam", "clk_i", 1);
 }
 
@@ -90,11 +94,11 @@ void SignalTrace::sample(const TracePoint& at) {
     return static_cast<std::uint64_t>(value & low_bits(bits));
   };
   if (clk_ != None) vcd_.change(time, clk_, 1);
-  vcd_.change(time, frame_, raw(at.frame, FrameBits));
-  vcd_.change(time, line_, raw(at.line, 10));
+  vcd_.change(time, frame_, raw(at.frame, frame_bits_));
+  vcd_.change(time, line_, raw(at.line, line_bits_));
   vcd_.change(time, pixel_, raw(at.pixel(raster_), 11));
   vcd_.change(time, clock_, raw(at.clock, 31));
-  if (at.frame != shown_) vcd_.change(time, show_, part_(shown_ = at.frame));
+  if (show_ != None && at.frame != shown_) vcd_.change(time, show_, part_(shown_ = at.frame));
   for (const Bit& one : bits_) vcd_.change(time, one.signal, *one.at);
   for (const Word& one : words_) vcd_.change(time, one.signal, one.at->value());
   for (const Inner& one : inner_) {

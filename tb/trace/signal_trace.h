@@ -29,8 +29,9 @@ struct TraceSelection {
 class SignalTrace {
  public:
   /// Adds `signals` to `vcd`, which outlives the trace. Registers are to be watched. `part`: what a
-  /// frame shows. `overview`: of a window so long that all would be too much; ports and wires only,
-  /// and not those that change in nearly every clock. Throws UsageError if nothing is selected.
+  /// frame of our chip shows; empty: it is another chip. `overview`: of a window so long that all
+  /// would be too much; ports and wires only, and not those that change in nearly every clock.
+  /// Throws UsageError if nothing is selected.
   SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster, int period_ps,
               const TraceSelection& selection, bool overview, std::function<std::string(int)> part,
               VcdWriter& vcd);
@@ -66,6 +67,7 @@ class SignalTrace {
   std::vector<Word> words_;
   std::vector<Inner> inner_;
   int shown_ = None;  // frame whose part is written
+  int line_bits_, frame_bits_;
   int clk_ = None, frame_ = None, line_ = None, pixel_ = None, clock_ = None, show_ = None;
 };
 

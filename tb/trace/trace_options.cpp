@@ -100,9 +100,10 @@ void TraceOptions::check_search() const {
 }
 
 TraceWindow TraceOptions::searched(const TraceWindowReader& reader) const {
-  const std::string begin = from.empty() ? fmt::format("0:{}", FirstLine) : from;
-  return reader.window(
-      begin, to.empty() ? begin.substr(0, begin.find(':')) + fmt::format(":{}", LastLine) : to);
+  const std::string begin = from.empty() ? fmt::format("0:{}", reader.raster().first_line) : from;
+  return reader.window(begin, to.empty() ? begin.substr(0, begin.find(':')) +
+                                               fmt::format(":{}", reader.raster().last_line())
+                                         : to);
 }
 
 TraceWindow TraceOptions::around_point(const TracePoint& point, const TraceWindowReader& reader,

@@ -11,11 +11,12 @@
 #include "tb/errors.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
+#include "tb/tt_options.h"
 
 namespace racebeam {
 
 /// The command line as it was written.
-struct TraceOptions {
+struct TraceOptions : TtOptions {
   std::string scene;  ///< or a waveform to draw
   std::string output, from, to;
   std::string level = "signal";        ///< or "tlm": transactions

@@ -21,6 +21,11 @@ std::int64_t TraceRun::kernel_clock() const {
   return epoch_ + static_cast<std::int64_t>(sc_core::sc_time_stamp().value()) / bench_.period_ps();
 }
 
+std::vector<ChipSignal> TraceRun::signals(bool registers) {
+  if (registers) bench_.watch_registers();
+  return chip_signals(bench_);
+}
+
 bool TraceRun::go_to(std::int64_t clock) {
   const int line = raster_.line_clocks();
   while (clock_ < clock) {
@@ -28,7 +33,7 @@ bool TraceRun::go_to(std::int64_t clock) {
     const std::int64_t step = std::min(clock - clock_, line - clock_ % line);
     bench_.advance(static_cast<int>(step));
     clock_ += step;
-    if (each_line_) each_line_(clock_);
+    line_done();
   }
   return !interrupted();
 }

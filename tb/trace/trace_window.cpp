@@ -32,7 +32,8 @@ std::vector<int> numbers(const std::string& text) {
 
 TracePoint point_at(std::int64_t ordinal, const Raster& raster) {
   const auto frame = ordinal / raster.frame_clocks(), rest = ordinal % raster.frame_clocks();
-  return {static_cast<int>(frame), static_cast<int>(rest / raster.line_clocks()) + FirstLine,
+  return {static_cast<int>(frame),
+          static_cast<int>(rest / raster.line_clocks()) + raster.first_line,
           static_cast<int>(rest % raster.line_clocks())};
 }
 
@@ -48,7 +49,7 @@ TracePoint TraceWindowReader::point(const char* option, const std::string& text,
           fmt::format("{} {}: {} {} is out of range; {}..{}", option, text, what, value, min, max));
   };
   check("frame", n[0], 0, frames_ - 1);
-  check("line", n[1], FirstLine, LastLine);
+  check("line", n[1], raster_.first_line, raster_.last_line());
   if (n.size() == 3) check("clock", n[2], 0, raster_.line_clocks() - 1);
   return {n[0], n[1], n.size() == 3 ? n[2] : clock};
 }
@@ -67,7 +68,7 @@ TraceWindow TraceWindowReader::window(const std::string& from, const std::string
 
 TraceWindow TraceWindowReader::around(const TracePoint& point, long long lines) const {
   const std::int64_t line = point.ordinal(raster_) / raster_.line_clocks();
-  const std::int64_t last = static_cast<std::int64_t>(frames_) * FrameLines - 1;
+  const std::int64_t last = static_cast<std::int64_t>(frames_) * raster_.lines - 1;
   const std::int64_t first = std::max<std::int64_t>(line - lines, 0);
   const std::int64_t end = std::min<std::int64_t>(line + lines, last) + 1;
   return {point_at(first * raster_.line_clocks(), raster_),

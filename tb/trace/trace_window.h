@@ -19,11 +19,11 @@ struct TracePoint {
   /// Clocks since the start of frame 0.
   std::int64_t ordinal(const Raster& raster) const {
     return static_cast<std::int64_t>(frame) * raster.frame_clocks() +
-           static_cast<std::int64_t>(line - FirstLine) * raster.line_clocks() + clock;
+           static_cast<std::int64_t>(line - raster.first_line) * raster.line_clocks() + clock;
   }
   /// -160..639; 0..639 are the visible columns.
   int pixel(const Raster& raster) const {
-    return raster.clocks[static_cast<std::size_t>(clock)].position + VisibleColumns / 2;
+    return raster.clocks[static_cast<std::size_t>(clock)].position + raster.columns / 2;
   }
 };
 
@@ -47,6 +47,8 @@ struct TraceWindow {
 class TraceWindowReader {
  public:
   TraceWindowReader(int frames, const Raster& raster) : frames_(frames), raster_(raster) {}
+
+  const Raster& raster() const { return raster_; }
 
   /// "60:-240:800", as FRAME:LINE or FRAME:LINE:CLOCK. Without a clock `from` begins, and `to`
   /// ends, with the line. Throws UsageError: no such form, out of range, `to` before `from`.

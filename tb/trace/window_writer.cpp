@@ -21,17 +21,15 @@ constexpr int ShortTransaction = 32;         ///< clocks
 
 }  // namespace
 
-int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
+int WindowWriter::write(ClockedRun& run, const TraceWindow& window) const {
   const Raster& raster = run.raster();
   const std::int64_t first = window.from.ordinal(raster), last = window.to.ordinal(raster);
   const bool overview =
       selection.scopes.empty() && last - first >= OverviewLines * raster.line_clocks();
   VcdWriter vcd;
-  if (!overview) run.bench().watch_registers();
-  SignalTrace trace(
-      chip_signals(run.bench()), raster, run.bench().period_ps(), selection, overview,
-      [&](int frame) { return show.part(frame); }, vcd);
-  TraceFiles files(output, picture, "racebeam: " + show.name(), vcd);
+  SignalTrace trace(run.signals(!overview), raster, run.period_ps(), selection, overview, part,
+                    vcd);
+  TraceFiles files(output, picture, "racebeam: " + name, vcd);
 
   announce(TraceSize::of_signals(last - first + 1, first - run.clock(), vcd.signals(), overview));
   std::int64_t end = first;
@@ -47,17 +45,14 @@ int WindowWriter::write(TraceRun& run, const TraceWindow& window) const {
   }
   progress.end();
   if (overview && end > last)
-    tell(
-        "a long window is an overview: no registers, clock, rays or geometry of rooms; --scope '*' "
-        "has all signals");
-  return finish(files, vcd, {window, raster, run.bench().period_ps(), end - first, 1});
+    tell(std::string("a long window is an overview: ") + run.left_out() +
+         "; --scope '*' has all signals");
+  return finish(files, vcd, {window, raster, run.period_ps(), end - first, 1});
 }
 
-void WindowWriter::check(const TraceRun& run) const {
+void WindowWriter::check(ClockedRun& run) const {
   VcdWriter vcd;
-  SignalTrace(
-      chip_signals(run.bench()), run.raster(), run.bench().period_ps(), selection, false,
-      [](int) { return ""; }, vcd);
+  SignalTrace(run.signals(false), run.raster(), run.period_ps(), selection, false, part, vcd);
   TraceFiles(output, picture, "", vcd);
 }
 
@@ -65,9 +60,8 @@ int WindowWriter::write_transactions(const knobs& k, const scene_program* progra
                                      const Raster& raster, const TraceWindow& window) const {
   const int period = clock_period_ps(k.clocks_per_pixel);
   VcdWriter vcd;
-  TransactionTrace trace(
-      raster, period, selection, [&](int frame) { return show.part(frame); }, vcd);
-  TraceFiles files(output, picture, "racebeam: " + show.name(), vcd);
+  TransactionTrace trace(raster, period, selection, part, vcd);
+  TraceFiles files(output, picture, "racebeam: " + name, vcd);
   announce(TraceSize::of_transactions(window.to.ordinal(raster) - window.from.ordinal(raster) + 1));
   Progress progress(window.to.frame - window.from.frame + 1);
   std::int64_t frames = 0;

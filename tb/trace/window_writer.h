@@ -4,27 +4,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include "tb/show.h"
+#include "sc/scene_program.h"
+#include "tb/trace/clocked_run.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
-#include "tb/trace/trace_run.h"
 #include "tb/trace/trace_size.h"
+#include "tb/trace/trace_window.h"
 
 namespace racebeam {
 
 struct WindowWriter {
-  const Show& show;
-  std::string output, picture;  ///< either may be empty
+  std::string name;                      ///< of what is shown
+  std::function<std::string(int)> part;  ///< what a frame shows; empty: nobody knows
+  std::string output, picture;           ///< either may be empty
   TraceSelection selection;
 
   /// Goes from where the run stands to the window, and to its end, and says what was written. A run
   /// that the user stops keeps what there is. Returns the exit code. Throws UsageError as
   /// SignalTrace and TraceFiles do, and OutputError.
-  int write(TraceRun& run, const TraceWindow& window) const;
+  int write(ClockedRun& run, const TraceWindow& window) const;
   /// Throws what write() would throw before its first clock.
-  void check(const TraceRun& run) const;
+  void check(ClockedRun& run) const;
   /// As write(), of the transactions of the tlm level.
   int write_transactions(const knobs& k, const scene_program* program, const Raster& raster,
                          const TraceWindow& window) const;

@@ -13,7 +13,9 @@ constexpr int Syncs = 1 << PinHsync | 1 << PinVsync;
 }  // namespace
 
 BeamScreen::BeamScreen(const Raster& raster)
-    : raster_(raster), colours_(VisibleColumns * VisibleRows) {}
+    : raster_(raster),
+      y_(raster.first_line),
+      colours_(static_cast<std::size_t>(raster.columns) * raster.rows) {}
 
 // The edges that begin the pulses: hsync gives the place in the line, vsync the line.
 void BeamScreen::find_place(int uo, int changed) {
@@ -32,12 +34,12 @@ void BeamScreen::clock(int uo) {
   started_ = true;
   if (clock_ >= raster_.active_begin && raster_.clocks[clock_].last && raster_.visible_line(y_)) {
     const int column = raster_.column_at[clock_];
-    colours_[(y_ - FirstVisibleLine) * VisibleColumns + column] =
+    colours_[(y_ - raster_.first_visible_line) * raster_.columns + column] =
         static_cast<std::uint8_t>(colour_of_pins(uo));
   }
   if (++clock_ < raster_.line_clocks()) return;
   clock_ = 0;
-  if (++y_ > LastLine) y_ = FirstLine;
+  if (++y_ > raster_.last_line()) y_ = raster_.first_line;
 }
 
 }  // namespace racebeam

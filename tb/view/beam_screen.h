@@ -18,11 +18,11 @@ namespace racebeam {
 
 class BeamScreen {
  public:
-  /// Stands before the first clock of line -273 until a sync tells better.
+  /// Stands before the first clock of a frame until a sync tells better.
   explicit BeamScreen(const Raster& raster);
 
-  /// Stands before the first clock of line -273 again; the picture stays.
-  void home() { y_ = FirstLine, clock_ = 0, started_ = false; }
+  /// Stands there again; the picture stays.
+  void home() { y_ = raster_.first_line, clock_ = 0, started_ = false; }
 
   /// A whole picture of a frame, shown at once; the beam stands before the next.
   void show(std::vector<std::uint8_t> colours) {
@@ -33,7 +33,7 @@ class BeamScreen {
   /// The pins of the next clock.
   void clock(int uo);
 
-  /// 640 x 480, row by row, r * 16 + g * 4 + b.
+  /// 640 x 480, or of another mode, row by row, r * 16 + g * 4 + b.
   const std::vector<std::uint8_t>& colours() const { return colours_; }
   /// Line -273..251 and clock of the line of the next clock.
   int y() const { return y_; }
@@ -44,7 +44,7 @@ class BeamScreen {
 
   const Raster raster_;
   std::vector<std::uint8_t> colours_;
-  int y_ = FirstLine, clock_ = 0;
+  int y_, clock_ = 0;
   int uo_ = 0;
   bool started_ = false;
 };

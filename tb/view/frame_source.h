@@ -7,7 +7,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "sc/fixed_point.h"
+#include "tb/tt_inputs.h"
 #include "tb/view/frame_watch.h"
 
 namespace racebeam {
@@ -23,12 +29,17 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  /// "tlm", "signal".
+  /// "tlm", "signal", "verilated".
   virtual const char* level() const = 0;
   /// Simulates frames at about the pace of the show: frames that come too late may be left out.
   /// Else every clock is shown as it comes.
   virtual bool fast() const = 0;
   virtual const FrameWatch& watch() const = 0;
+  /// Clocks a second of the chip itself.
+  virtual double clock_hz() const;
+  /// Names and values for the statistics; an empty pair is an empty line.
+  using Rows = std::vector<std::pair<std::string, std::string>>;
+  virtual Rows rows() const;
 
   /// Stands before the first clock of `frame`, on the camera's own path. A frame that is half shown
   /// is given up, or shown to its end where the level cannot do that.
@@ -41,6 +52,14 @@ class FrameSource {
   /// Before the first clock of a frame: the next frame is a frame of the shot that holds at
   /// `frame`, seen from `pose`. seek() ends it.
   virtual void fly(int frame, const Pose& pose);
+
+  /// The input pins, if the chip has some that can be pressed; and all of them so far, as a file.
+  virtual std::optional<TilePins> inputs() const { return {}; }
+  virtual std::string inputs_text() const { return ""; }
+  /// They are others from the next clock on.
+  virtual void press(TilePins) {}
+  /// What the source played since the last call, at FrameSound::Rate; of our chip FrameSound plays.
+  virtual std::vector<float> take_sound() { return {}; }
 
   /// Clocks up to the end of the frame; of a whole frame if it stands before the first.
   int clocks_left() const {

@@ -15,6 +15,13 @@ void FrameWatch::clock(int uo, const chip_view& view, int room, int face) {
   watcher_.observe(view, room, face);
 }
 
+void FrameWatch::clock(int uo, int frame) {
+  if (whole()) forget();
+  ++seen_;
+  frame_ = frame;
+  screen_.clock(uo);
+}
+
 void FrameWatch::frame(std::vector<std::uint8_t> colours, std::vector<IntervalEvent> intervals,
                        FrameStats stats, const chip_view& last) {
   seen_ = raster_.frame_clocks();

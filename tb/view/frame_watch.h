@@ -20,6 +20,8 @@ class FrameWatch {
 
   /// The next clock: the pins, the settled wires, room and hit face of decision_datapath.
   void clock(int uo, const chip_view& view, int room, int face);
+  /// The same of a chip of which the pins alone are known: no intervals, no statistics.
+  void clock(int uo, int frame);
   /// A whole frame at once, before its first clock: its colours, 640 x 480; what its clocks would
   /// have told; the wires of its last clock.
   void frame(std::vector<std::uint8_t> colours, std::vector<IntervalEvent> intervals,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace racebeam {
@@ -62,6 +63,47 @@ bool pauses(ViewAction action) {
          action == ViewAction::StepPixel || action == ViewAction::StepClock;
 }
 
+const std::vector<KeyHelp>& all_help() {
+  static const std::vector<KeyHelp> rows{
+      {"space p", "pause, go on"},
+      {". l k c", "step a frame, line, pixel, clock"},
+      {"r", "rewind to the first frame"},
+      {"left right", "a second back, on"},
+      {"+ = -", "faster, slower"},
+      {"1 2 3", "map of slack, cost, depth", KeyHelp::Model},
+      {"0", "no map", KeyHelp::Model},
+      {"0 1 2 3", "ui_in[0] to ui_in[3]: 1, 0", KeyHelp::Tile},
+      {"4 5 6 7", "ui_in[4] to ui_in[7]: 1, 0", KeyHelp::Tile},
+      {"u", "the numbers are uio_in, ui_in", KeyHelp::Tile},
+      {"w", "write the inputs so far to a file", KeyHelp::Tile},
+      {"b", "beam position"},
+      {"i", "borders of intervals", KeyHelp::Model},
+      {"g", "gauges of FIFO and stacks", KeyHelp::Model},
+      {"t", "statistics"},
+      {"f", "free flight, back to the path", KeyHelp::Model},
+      {"w a s d", "fly ahead, left, back, right", KeyHelp::Model},
+      {"e x", "rise, sink", KeyHelp::Model},
+      {"up down", "look up, down; mouse: look around", KeyHelp::Model},
+      {"o f12", "screenshot"},
+      {"v", "record a GIF, stop"},
+      {"f5", "load the scene file again", KeyHelp::Model},
+      {"m", "sound off, on"},
+      {"f11", "full screen"},
+      {"h f1", "this help"},
+      {"q escape", "quit"},
+  };
+  return rows;
+}
+
+bool is_key_of(KeyHelp::Chip chip, const std::string& key) {
+  for (const KeyHelp& row : all_help()) {
+    std::istringstream keys(row.keys);
+    for (std::string one; row.chip == chip && keys >> one;)
+      if (one == key) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 // Keys that move the camera while it flies; the arrows have another meaning otherwise.
@@ -71,7 +113,25 @@ bool ViewControl::flight_key(const std::string& key) const {
   return keys.count(key) > 0;
 }
 
+// What a chip of its own makes of a key.
+bool ViewControl::tile_key(const std::string& key) {
+  if (key.size() == 1 && key[0] >= '0' && key[0] <= '7') {
+    std::uint8_t& pins = state.uio_keys ? state.inputs->uio : state.inputs->ui;
+    pins = static_cast<std::uint8_t>(pins ^ 1 << (key[0] - '0'));
+  } else if (key == "u") {
+    state.uio_keys = !state.uio_keys;
+  } else if (key == "w") {
+    actions_.push(ViewAction::WriteInputs);
+  } else if (is_key_of(KeyHelp::Model, key)) {
+    actions_.push(ViewAction::ModelOnly);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 bool ViewControl::press(const std::string& key) {
+  if (state.inputs && tile_key(key)) return true;
   if (flight_key(key)) held_.insert(key);
   if (state.flying && flight_key(key)) return true;
   if (const auto known = state_keys().find(key); known != state_keys().end()) {
@@ -110,32 +170,15 @@ ViewControl::Motion ViewControl::motion() const {
 
 ViewControl::Look ViewControl::take_mouse() { return std::exchange(mouse_, {}); }
 
-const std::vector<KeyHelp>& ViewControl::help() {
-  static const std::vector<KeyHelp> rows{
-      {"space p", "pause, go on"},
-      {". l k c", "step a frame, line, pixel, clock"},
-      {"r", "rewind to the first frame"},
-      {"left right", "a second back, on"},
-      {"+ = -", "faster, slower"},
-      {"1 2 3", "map of slack, cost, depth"},
-      {"0", "no map"},
-      {"b", "beam position"},
-      {"i", "borders of intervals"},
-      {"g", "gauges of FIFO and stacks"},
-      {"t", "statistics"},
-      {"f", "free flight, back to the path"},
-      {"w a s d", "fly ahead, left, back, right"},
-      {"e x", "rise, sink"},
-      {"up down", "look up, down; mouse: look around"},
-      {"o f12", "screenshot"},
-      {"v", "record a GIF, stop"},
-      {"f5", "load the scene file again"},
-      {"m", "sound off, on"},
-      {"f11", "full screen"},
-      {"h f1", "this help"},
-      {"q escape", "quit"},
+const std::vector<KeyHelp>& ViewControl::help(bool tile) {
+  const auto rows_of = [](KeyHelp::Chip chip) {
+    std::vector<KeyHelp> rows;
+    for (const KeyHelp& row : all_help())
+      if (row.chip == KeyHelp::Any || row.chip == chip) rows.push_back(row);
+    return rows;
   };
-  return rows;
+  static const std::vector<KeyHelp> model = rows_of(KeyHelp::Model), own = rows_of(KeyHelp::Tile);
+  return tile ? own : model;
 }
 
 }  // namespace racebeam

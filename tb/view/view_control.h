@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/tt_inputs.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -27,6 +28,8 @@ enum class ViewAction {
   Record,
   Fly,
   Reload,
+  WriteInputs,
+  ModelOnly,  ///< a key that needs the model, of a chip that is none
   Quit,
 };
 
@@ -38,11 +41,16 @@ struct ViewState {
   bool beam = false, borders = false, gauges = false, text = false, help = false;
   bool muted = false, full_screen = false;
   bool flying = false;  ///< set by whoever takes ViewAction::Fly
+  /// Input pins that keys toggle, of a chip of its own; of the model nothing.
+  std::optional<TilePins> inputs;
+  bool uio_keys = false;  ///< they toggle uio_in instead of ui_in
 };
 
 /// One row of the help.
 struct KeyHelp {
+  enum Chip { Any, Model, Tile };
   std::string keys, meaning;
+  Chip chip = Any;  ///< that has the keys: a Tile is a chip of its own
 };
 
 class ViewControl {
@@ -72,11 +80,12 @@ class ViewControl {
 
   ViewState state;
 
-  /// Every key, as press() knows them: a test holds that.
-  static const std::vector<KeyHelp>& help();
+  /// Every key, as press() knows them: a test holds that. `tile`: of a chip of its own.
+  static const std::vector<KeyHelp>& help(bool tile = false);
 
  private:
   bool flight_key(const std::string& key) const;
+  bool tile_key(const std::string& key);
 
   std::queue<ViewAction> actions_;
   std::set<std::string> held_;

@@ -27,17 +27,18 @@ void paint_borders(RgbImage& picture, const std::vector<IntervalEvent>& interval
 // Its line, faint, and the beam itself; nothing in the blanked lines.
 void paint_beam(RgbImage& picture, const FrameWatch& watch) {
   const BeamScreen& screen = watch.screen();
-  const int row = screen.y() - FirstVisibleLine;
-  if (watch.whole() || row < 0 || row >= VisibleRows) return;
+  const Raster& raster = watch.raster();
+  const int row = screen.y() - raster.first_visible_line;
+  if (watch.whole() || row < 0 || row >= raster.rows) return;
   const int column = watch.raster().column_at[screen.clock_of_line()];
-  picture.tint(0, row, VisibleColumns, 1, Beam, 0.6);
+  picture.tint(0, row, raster.columns, 1, Beam, 0.6);
   picture.fill(column - 1, row - 5, 3, 11, Beam);
   picture.fill(column - 5, row - 1, 11, 3, Beam);
 }
 
-void paint_help(RgbImage& picture) {
+void paint_help(RgbImage& picture, bool tile) {
   constexpr int Left = 150, Top = 66, Margin = 14, KeyLetters = 12, RowHeight = 15;
-  const auto& rows = ViewControl::help();
+  const auto& rows = ViewControl::help(tile);
   const int height = 2 * Margin + RowHeight * static_cast<int>(rows.size());
   picture.tint(Left, Top, VisibleColumns - 2 * Left, height, Shade, 0.88);
   int y = Top + Margin;
@@ -67,9 +68,9 @@ void paint_error(RgbImage& picture, const std::string& error) {
 RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
                       const ViewWords& words) {
   const bool panel = state.gauges || state.text;
-  RgbImage picture(watch.screen().colours(), VisibleColumns, VisibleRows,
-                   VisibleColumns + (panel ? PanelWidth : 0),
-                   VisibleRows + (state.map ? MapBarHeight : 0));
+  const int columns = watch.raster().columns, rows = watch.raster().rows;
+  RgbImage picture(watch.screen().colours(), columns, rows, columns + (panel ? PanelWidth : 0),
+                   rows + (state.map ? MapBarHeight : 0));
   if (state.map) {
     paint_map(picture, make_map(*state.map, watch.intervals(), watch.raster()), !watch.whole());
     paint_bar(picture, VisibleRows, *state.map, words.where);
@@ -77,7 +78,7 @@ RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& 
   if (state.borders) paint_borders(picture, watch.intervals());
   if (state.beam) paint_beam(picture, watch);
   if (panel) paint_panel(picture, watch, k, state, words.statistics);
-  if (state.help) paint_help(picture);
+  if (state.help) paint_help(picture, state.inputs.has_value());
   if (!words.error.empty()) paint_error(picture, words.error);
   return picture;
 }

@@ -10,6 +10,7 @@
 #include "sc/constants.h"
 #include "tb/counted.h"
 #include "tb/image_files.h"
+#include "tb/output_file.h"
 
 namespace racebeam {
 
@@ -22,7 +23,7 @@ std::string ViewRecorder::free_name(int frame, const std::string& extension) con
     const std::string name =
         copy == 1 ? fmt::format("view_{:04}", frame) : fmt::format("view_{:04}_{}", frame, copy);
     const fs::path path = fs::path(folder_) / (name + extension);
-    if (!fs::exists(path, ignored)) return path.string();
+    if (!fs::exists(path, ignored)) return path.lexically_normal().string();
   }
 }
 
@@ -32,22 +33,31 @@ std::string ViewRecorder::screenshot(const RgbImage& picture, int frame) const {
   return name;
 }
 
+std::string ViewRecorder::inputs(const std::string& text, int frame) const {
+  const std::string name = free_name(frame, ".csv");
+  write_text(name, text);
+  return name;
+}
+
 void ViewRecorder::start(int frame) {
   constexpr double FramesPerSecond = 60;
   gif_name_ = free_name(frame, ".gif");
+  empty_ = true;
   gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, FramesPerSecond);
 }
 
-void ViewRecorder::add(const std::vector<std::uint8_t>& colours) {
-  if (gif_) gif_->add(colours);
+void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {
+  if (!gif_) return;
+  gif_->add(colours, after);
+  empty_ = false;
 }
 
 std::string ViewRecorder::stop() {
-  const int frames = gif_->frames();
   const std::unique_ptr<GifWriter> gif = std::move(gif_);
-  if (frames == 0) return "recorded nothing";
+  if (empty_) return "recorded nothing";
   gif->close();
-  return "wrote " + counted(frames, "frame") + " to " + gif_name_;
+  return fmt::format("wrote {}, {:.2f} s in {}", gif_name_, gif->seconds(),
+                     counted(gif->pictures(), "picture"));
 }
 
 }  // namespace racebeam

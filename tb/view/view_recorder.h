@@ -22,11 +22,17 @@ class ViewRecorder {
   /// OutputError.
   std::string screenshot(const RgbImage& picture, int frame) const;
 
+  /// Writes view_0060.csv, or another as above. Returns its name. Throws OutputError.
+  std::string inputs(const std::string& text, int frame) const;
+
   bool recording() const { return gif_ != nullptr; }
-  /// Begins view_0060.gif, which has the chip's own pictures, without overlays. Throws OutputError.
+  /// Begins view_0060.gif, which has the chip's own pictures, without overlays, and plays at the
+  /// speed of the show. Throws OutputError.
   void start(int frame);
-  /// A whole frame, if it is recording. Throws OutputError.
-  void add(const std::vector<std::uint8_t>& colours);
+  const std::string& gif_name() const { return gif_name_; }
+  /// A whole frame, if it is recording, so many frames of the show after the one before. Throws
+  /// OutputError.
+  void add(const std::vector<std::uint8_t>& colours, int after);
   /// Ends the GIF. Returns what was written. Throws OutputError.
   std::string stop();
 
@@ -35,6 +41,7 @@ class ViewRecorder {
 
   std::string folder_, gif_name_;
   std::unique_ptr<GifWriter> gif_;
+  bool empty_ = true;
 };
 
 }  // namespace racebeam

@@ -14,7 +14,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr double FramesPerSecond = 60;
 constexpr int Leap = 60;              // frames of the arrow keys
 constexpr int Slice = 20'000;         // clocks between two looks at the time
 constexpr double LongestLag = 0.25;   // seconds that are caught up at most
@@ -30,6 +29,14 @@ Viewer::Viewer(Stage stage, Options options)
       recorder_(options_.folder) {
   go_to(options_.first);
   control.state.beam = !stage_.source->fast();
+  control.state.inputs = stage_.source->inputs();
+}
+
+// What the keys made of the inputs. While a frame is filled they wait: it has its own.
+void Viewer::press_inputs() {
+  if (fill_ || control.state.inputs == stage_.source->inputs()) return;
+  stage_.source->press(*control.state.inputs);
+  changed_ = true;
 }
 
 int Viewer::next_frame() const {
@@ -61,7 +68,7 @@ int Viewer::clocks(int count) {
   ++frames_shown_;
   if (since_frame_ > 1e-3) rate_ += (1 / since_frame_ - rate_) * (rate_ > 0 ? 0.1 : 1);
   since_frame_ = 0;
-  recorder_.add(source.watch().screen().colours());
+  recorder_.add(source.watch().screen().colours(), std::exchange(passed_, 1));
   return done;
 }
 
@@ -96,6 +103,12 @@ void Viewer::act(ViewAction action) {
     case ViewAction::Record: toggle_recording(); break;
     case ViewAction::Fly: toggle_flight(); break;
     case ViewAction::Reload: take_news(watch_.read()); break;
+    case ViewAction::WriteInputs:
+      note_ = "wrote " + recorder_.inputs(stage_.source->inputs_text(), frame);
+      break;
+    case ViewAction::ModelOnly:
+      note_ = "maps, intervals, gauges, flight and scene files are of the model only";
+      break;
     case ViewAction::Quit: quit_ = true; break;
   }
 }
@@ -108,7 +121,7 @@ void Viewer::toggle_recording() {
     return;
   }
   recorder_.start(watch.frame());
-  if (watch.whole()) recorder_.add(watch.screen().colours());
+  if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
 }
 
 std::string Viewer::end() { return recorder_.recording() ? recorder_.stop() : ""; }
@@ -160,18 +173,20 @@ void Viewer::show_frames(int frames) {
       samples_.insert(samples_.end(), more.begin(), more.end());
     }
   sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();
+  passed_ = frames;
   clocks(stage_.source->clocks_left());
 }
 
 void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
   const Raster& raster = stage_.source->watch().raster();
   const int speed = control.state.speed;
-  const double clock_rate = FramesPerSecond * raster.frame_clocks() * std::exp2(speed);
+  const double clock_rate = stage_.source->clock_hz() * std::exp2(speed);
   budget_ = std::min(budget_ + elapsed * clock_rate, LongestLag * clock_rate);
   if (!stage_.source->fast() || speed < 0) {
     while (budget_ >= 1 && !finished()) {
       budget_ -= clocks(std::min(Slice, static_cast<int>(budget_)));
-      if (!in_time() || stage_.source->watch().whole()) break;
+      if (!in_time()) break;
+      if (stage_.source->watch().whole() && budget_ < raster.frame_clocks()) break;
     }
     return;
   }
@@ -185,6 +200,7 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   since_frame_ += elapsed;
   flight_time_ += elapsed;
   look_for_news(elapsed);
+  press_inputs();
   bool new_picture = fill_;  // to be seen before it runs on
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
   while (fill_ && !stage_.source->fast()) {
@@ -197,6 +213,7 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   }
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
   if (!new_picture && !control.state.paused && !finished()) run(elapsed, in_time);
+  if (!fill_) control.state.inputs = stage_.source->inputs();
 }
 
 RgbImage Viewer::picture() const {
@@ -206,6 +223,10 @@ RgbImage Viewer::picture() const {
   return view_picture(stage_.source->watch(), stage_.k, control.state, words);
 }
 
-std::vector<float> Viewer::take_sound() { return std::exchange(samples_, {}); }
+std::vector<float> Viewer::take_sound() {
+  const std::vector<float> own = stage_.source->take_sound();
+  if (audible()) samples_.insert(samples_.end(), own.begin(), own.end());
+  return std::exchange(samples_, {});
+}
 
 }  // namespace racebeam

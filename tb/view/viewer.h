@@ -79,6 +79,7 @@ class Viewer {
 
  private:
   void act(ViewAction action);
+  void press_inputs();
   void look_for_news(double elapsed);
   void take_news(SceneWatch::News news);
   void set_stage(Stage stage, int frame);
@@ -111,6 +112,7 @@ class Viewer {
   double since_frame_ = 0;  // seconds
   double flight_time_ = 0;  // seconds since the camera was steered
   int frames_shown_ = 0;
+  int passed_ = 1;    // frames of the show from the last whole frame to the next one
   bool fill_ = true;  // show the frame to its end, even when paused
   bool changed_ = true, quit_ = false;
   std::string error_, note_;

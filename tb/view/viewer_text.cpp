@@ -20,7 +20,6 @@ std::string Viewer::place() const {
 
 std::string Viewer::statistics() const {
   const FrameWatch& watch = stage_.source->watch();
-  const FrameStats& s = watch.stats();
   const int frame = watch.frame(), speed = control.state.speed;
   const std::string pace =
       speed < 0 ? fmt::format("1/{}", 1 << -speed) : std::to_string(1 << speed);
@@ -28,24 +27,17 @@ std::string Viewer::statistics() const {
   const auto row = [&](const char* name, const std::string& value) {
     text += fmt::format("{:<14}{:>18.18}\n", name, value);
   };
-  const auto count = [&](const char* name, std::uint64_t value) {
-    row(name, std::to_string(value));
-  };
-  row("frame", fmt::format("{} of {}", frame, stage_.show.frames()));
-  row("part", stage_.show.part(frame));
+  row("frame", control.state.inputs ? std::to_string(frame)
+                                    : fmt::format("{} of {}", frame, stage_.show.frames()));
+  if (!control.state.inputs) row("part", stage_.show.part(frame));
   row("level", stage_.source->level());
   row("speed", control.state.paused ? "paused" : pace + " x");
   row("frames/s", control.state.paused ? "-" : fmt::format("{:.1f}", rate_));
   row("beam", place());
   text += "\n";
-  count("decisions", s.decisions());
-  count("bisections", s.bisection_steps);
-  count("intervals", s.emits);
-  count("rooms entered", s.rooms_entered);
-  count("restarts", s.restarts);
-  count("given up", s.give_ups);
-  count("starved pixels", s.starved_pixels);
-  count("FIFO stalls", s.fifo_full_stalls);
+  for (const auto& [name, value] : stage_.source->rows())
+    if (name.empty()) text += "\n";
+    else row(name.c_str(), value);
   if (flight_) {
     const Pose pose = flight_->pose();
     text += "\n";
@@ -65,7 +57,7 @@ RgbImage Viewer::bare_picture() const {
 std::vector<std::string> Viewer::words() const {
   std::string text = error_.empty() ? "" : error_ + "\n";
   if (control.state.help)
-    for (const KeyHelp& row : ViewControl::help())
+    for (const KeyHelp& row : ViewControl::help(control.state.inputs.has_value()))
       text += fmt::format("{:<12}{}\n", row.keys, row.meaning);
   if (control.state.text || control.state.gauges) text += statistics();
   std::istringstream in(text);
@@ -78,6 +70,9 @@ std::string Viewer::title() const {
   const int frame = stage_.source->watch().frame();
   std::string title =
       fmt::format("racebeam: {} {} {}", stage_.show.name(), frame, stage_.show.part(frame));
+  if (const auto& in = control.state.inputs)
+    title += fmt::format("ui {:08b} uio {:08b}{}", in->ui, in->uio,
+                         control.state.uio_keys ? " - keys: uio" : "");
   if (flight_) title += " - free flight";
   if (control.state.paused) title += " - paused";
   if (recorder_.recording()) title += " - recording";

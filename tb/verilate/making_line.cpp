@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/verilate/making_line.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "tb/console.h"
+
+namespace racebeam {
+
+namespace {
+
+bool terminal_moves_cursor() {
+  const char* term = std::getenv("TERM");
+  return isatty(STDERR_FILENO) && term && std::string_view(term) != "dumb";
+}
+
+}  // namespace
+
+MakingLine::MakingLine(const std::string& module, const std::vector<std::string>& files)
+    : text_("verilating " + module), moves_(terminal_moves_cursor()) {
+  if (!files.empty())
+    text_ += " (" + std::filesystem::path(files[0]).filename().string() +
+             (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more)" : ")");
+  if (!moves_) tell(text_);
+}
+
+MakingLine::~MakingLine() {
+  if (moves_) std::fputs("\r\x1b[K", stderr);
+}
+
+std::function<void()> MakingLine::tick() const {
+  return [this] {
+    if (!moves_) return;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    std::fprintf(stderr, "\r\x1b[K%s  %.1f s", text_.c_str(), elapsed.count());
+  };
+}
+
+}  // namespace racebeam

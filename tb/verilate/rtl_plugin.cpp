@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/verilate/rtl_plugin.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "sc/rtl_library.h"
+#include "tb/errors.h"
+#include "tb/verilate/cache_folder.h"
+#include "tb/verilate/elaborated.h"
+#include "tb/verilate/making_line.h"
+#include "tb/verilate/project_folder.h"
+#include "tb/verilate/rtl_syntax.h"
+#include "tb/verilate/run_tool.h"
+#include "tb/verilate/verilator.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* Registered = "registered_inputs";  ///< module around a whole chip
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  out.close();
+  if (!out) throw RtlError("cannot write " + path + "; is the disk full?");
+}
+
+std::string glue_file() { return project_folder() + "/sc/rtl_glue.cc.in"; }
+
+std::string compiler() {
+  const char* named = std::getenv("CXX");
+  const std::string name = named && *named ? named : "c++";
+  if (!has_tool(name) && !fs::exists(name))
+    throw MissingTool("there is no C++ compiler '" + name + "'; install the package `g++`");
+  return name;
+}
+
+/// Compiles with the compiler and what remembers its results, and links.
+class Compiler {
+ public:
+  Compiler(std::string folder, std::function<void()> tick)
+      : folder_(std::move(folder)), tick_(std::move(tick)) {}
+
+  void compile(const std::string& source, const std::string& object) const {
+    const std::string runtime = verilator_runtime();
+    std::vector<std::string> words = {compiler()};
+    if (has_tool("ccache")) words.insert(words.begin(), "ccache");
+    for (const std::string& word :
+         {std::string("-std=c++17"), std::string("-O3"), std::string("-pipe"),
+          std::string("-DVL_USER_FATAL"), std::string("-fPIC"), std::string("-fvisibility=hidden"),
+          std::string("-fno-gnu-unique"), std::string("-w"), std::string("-I."),
+          "-I" + project_folder()})
+      words.push_back(word);
+    words.insert(words.end(), {"-isystem", runtime, "-isystem", runtime + "/vltstd", "-c", source,
+                               "-o", object});
+    run(words);
+  }
+  void link(const std::vector<std::string>& objects, const std::string& out) const {
+    std::vector<std::string> words = {compiler(), "-shared", "-Wl,-Bsymbolic,-z,defs"};
+    words.insert(words.end(), objects.begin(), objects.end());
+    words.insert(words.end(), {"-o", out, "-lpthread"});
+    run(words);
+  }
+
+ private:
+  void run(const std::vector<std::string>& words) const {
+    const ToolResult result =
+        run_tool({words,
+                  folder_,
+                  {"CCACHE_DIR=" + cache_folder() + "/ccache", "CCACHE_MAXSIZE=300M",
+                   "CCACHE_BASEDIR=" + folder_, "CCACHE_NOHASHDIR=1"},
+                  tick_});
+    if (!result.good) throw RtlError("the verilated RTL cannot be compiled:\n" + result.said);
+  }
+
+  std::string folder_;
+  std::function<void()> tick_;
+};
+
+/// A module that puts registers before all inputs of a chip but its clock.
+std::string registered(const RtlSyntax& chip) {
+  std::string ports, registers, pins;
+  const auto comma = [](std::string& text) { text += text.empty() ? "\n  " : ",\n  "; };
+  for (const RtlSyntax::Port& port : chip.ports) {
+    const std::string range = "[" + std::to_string(port.bits - 1) + ":0] ";
+    comma(ports);
+    comma(pins);
+    ports += port.direction + " wire " + range + port.name;
+    const bool straight = port.direction != "input" || port.name == chip.clock;
+    pins += "." + port.name + "(" + port.name + (straight ? ")" : "_q)");
+    if (!straight)
+      registers += "reg " + range + port.name + "_q; always @(posedge " + chip.clock + ") " +
+                   port.name + "_q <= " + port.name + ";\n";
+  }
+  return std::string("module ") + Registered + " (" + ports + ");\n" + registers + chip.top.name +
+         " chip (" + pins + ");\nendmodule\n";
+}
+
+/// A name that is the same in C++.
+bool is_plain(const std::string& name) {
+  return name.find("__") == std::string::npos &&
+         std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+std::string c_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n') out += "\\n\"\n\"";
+    else out += c;
+  }
+  return out + "\"";
+}
+
+/// KIND FILE:LINE NAME, one a line.
+std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& circular) {
+  std::string text;
+  const auto add = [&](const std::string& kind, const RtlSyntax::Place& place) {
+    text += kind + " " + place.file + ":" + std::to_string(place.line) + " " + place.name + "\n";
+  };
+  add("top", syntax.top);
+  for (const std::string& file : syntax.files) add("file", {file, 1, "-"});
+  for (const auto& place : syntax.falling) add("falling", place);
+  for (const auto& place : syntax.loops) add("loop", place);
+  for (const auto& place : syntax.calls) add("call", place);
+  for (const std::string& signal : circular) text += "circular " + signal + "\n";
+  return text;
+}
+
+/// What the glue is told of the RTL: all but texts, so that equal RTL elsewhere compiles to the
+/// same.
+std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
+  std::string text = "#define RTL_PORTS";
+  for (const RtlSyntax::Port& port : syntax.ports)
+    if (is_plain(port.name))
+      text += " RTL_PORT(" + port.name + ", " + std::to_string(port.bits) + ", " +
+              (port.direction == "input" ? "1" : "0") + ")";
+  text += "\n";
+  if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
+  if (syntax.rising_only) text += "#define RTL_RISING_ONLY\n";
+  const bool wrapped = sources.top == Registered;
+  if (sources.signals)
+    text += "#define RTL_SIGNALS\n#define RTL_SCOPE " +
+            (wrapped ? c_string(std::string(Registered) + ".chip") : "rtl_unit") + "\n";
+  return text;
+}
+
+std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& circular) {
+  std::string parameters;
+  for (const RtlSyntax::Parameter& parameter : syntax.parameters)
+    if (!parameter.value.empty()) parameters += parameter.name + "=" + parameter.value + " ";
+  return "extern const char* const rtl_unit = " + c_string(syntax.top.name) +
+         ";\nextern const char* const rtl_parameters = " + c_string(parameters) +
+         ";\nextern const char* const rtl_remarks = " + c_string(remarks(syntax, circular)) + ";\n";
+}
+
+/// Verilator's run time, compiled once for all plug-ins.
+std::string runtime_object(const std::string& source, const MakingLine& line) {
+  const std::string key = content_key({source, verilator_version(), compiler()});
+  return cached(key + ".o", [&](const std::string& out) {
+    const WorkFolder work;
+    Compiler(work.path(), line.tick()).compile(verilator_runtime() + "/" + source, out);
+  });
+}
+
+void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
+  const MakingLine line(sources.top, sources.files);
+  std::vector<std::string> objects = {runtime_object("verilated.cpp", line),
+                                      runtime_object("verilated_threads.cpp", line)};
+  const WorkFolder work;
+  if (sources.kind == RtlSources::Chip && !syntax.clock.empty()) {
+    write(work.file("registered_inputs.sv"), registered(syntax));
+    sources.files.push_back(work.file("registered_inputs.sv"));
+    sources.top = Registered;
+  }
+  const auto circular = circular_signals(write_rtl_classes(sources, work.path(), line.tick()));
+  std::vector<std::string> classes;
+  for (const auto& entry : fs::directory_iterator(work.path()))
+    if (entry.path().extension() == ".cpp") classes.push_back(entry.path().filename());
+  std::sort(classes.begin(), classes.end());
+  std::string all = facts(sources, syntax);
+  for (const std::string& file : classes) all += "#include " + c_string(file) + "\n";
+  all += "#include \"sc/rtl_glue.cc.in\"\n";
+  write(work.file("all.cc"), all);
+  write(work.file("texts.cc"), texts(syntax, circular));
+  const Compiler cxx(work.path(), line.tick());
+  for (const std::string name : {"all", "texts"}) {
+    cxx.compile(name + ".cc", name + ".o");
+    objects.push_back(name + ".o");
+  }
+  cxx.link(objects, out);
+}
+
+}  // namespace
+
+std::string rtl_plugin(const RtlSources& sources) {
+  const std::string content = elaborated(sources).content;
+  const std::string key =
+      content_key({content, sources.kind == RtlSources::Chip ? "chip" : "unit",
+                   sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
+                   file_key(project_folder() + "/sc/rtl_model.h")});
+  return cached(key + ".so",
+                [&](const std::string& out) { make(sources, read_rtl_syntax(sources), out); });
+}
+
+}  // namespace racebeam

@@ -1,0 +1,26 @@
+// RTL that is to be verilated: which module, of which files, with what settings.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+struct RtlSources {
+  std::string top = {};                           ///< module
+  std::vector<std::string> files = {};            ///< in order
+  std::vector<std::string> include_folders = {};  ///< beside those of the files themselves
+  std::vector<std::string> defines = {};          ///< "NAME" or "NAME=VALUE"
+  std::vector<std::string> parameters = {};       ///< "Name=value", a text as "Name=\"text\""
+  /// Files or folders that are searched for modules that no file defines.
+  std::vector<std::string> libraries = {};
+  /// Unit: one of this project's chips, with its package and modules at hand. Chip: a whole chip of
+  /// whomever, whose inputs but `clk` pass a register: they count one clock later.
+  enum Kind { Unit, Chip } kind = Unit;
+  bool signals = false;  ///< registers inside can be read
+};
+
+}  // namespace racebeam

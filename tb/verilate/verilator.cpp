@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/verilate/verilator.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "sc/rtl_library.h"
+#include "tb/errors.h"
+#include "tb/verilate/project_folder.h"
+#include "tb/verilate/run_tool.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* Package = "racebeam_pkg.sv";
+
+std::string absolute(const std::string& path) {
+  return fs::absolute(path).lexically_normal().string();
+}
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+bool brings_package(const RtlSources& sources) {
+  return std::any_of(sources.files.begin(), sources.files.end(),
+                     [](const std::string& file) { return fs::path(file).filename() == Package; });
+}
+
+/// Adds the names of warnings that later versions know to Verilator's options, if it complained of
+/// such in comments of the source.
+bool allow_unknown_lint(std::vector<std::string>& words, const std::string& messages) {
+  static const std::regex Unknown("Unknown verilator lint message code: '([A-Za-z0-9_]+)'");
+  const std::size_t before = words.size();
+  for (std::sregex_iterator at(messages.begin(), messages.end(), Unknown), end; at != end; ++at) {
+    const std::string word = "-Wfuture-" + (*at)[1].str();
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return words.size() > before;
+}
+
+std::string run_verilator(const RtlSources& sources, std::vector<std::string> words,
+                          const std::function<void()>& tick) {
+  words.insert(words.begin(), "verilator");
+  for (const char* common : {"--no-timing", "-Wno-fatal", "-Wno-lint", "-Wno-style",
+                             "-Wfuture-WIDTHTRUNC", "-Wfuture-WIDTHEXPAND"})
+    words.emplace_back(common);
+  for (const std::string& word : source_words(sources)) words.push_back(word);
+  ToolResult result = run_tool({words, "", {}, tick});
+  while (!result.good && allow_unknown_lint(words, result.said))
+    result = run_tool({words, "", {}, tick});
+  if (result.good) return result.said;
+  std::string files;
+  for (const std::string& file : sources.files) files += (files.empty() ? "" : ", ") + file;
+  throw RtlError("the RTL of " + sources.top + " (" + files + ") cannot be verilated:\n" +
+                 trimmed(result.said));
+}
+
+}  // namespace
+
+const std::string& verilator_version() {
+  static const std::string version = [] {
+    if (!has_tool("verilator"))
+      throw MissingTool("verilator is not installed; install the package `verilator`");
+    const ToolResult result = run_tool({{"verilator", "--version"}, "", {}, {}});
+    if (!result.good) throw MissingTool("verilator does not run: " + trimmed(result.said));
+    return trimmed(result.said);
+  }();
+  return version;
+}
+
+std::string verilator_runtime() {
+  const ToolResult result = run_tool({{"verilator", "--getenv", "VERILATOR_ROOT"}, "", {}, {}});
+  return trimmed(result.said) + "/include";
+}
+
+std::vector<std::string> searched_folders(const RtlSources& sources) {
+  std::vector<std::string> folders;
+  const auto add = [&](const std::string& folder) {
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end())
+      folders.push_back(folder);
+  };
+  for (const std::string& folder : sources.include_folders) add(absolute(folder));
+  for (const std::string& file : sources.files) add(fs::path(absolute(file)).parent_path());
+  for (const std::string& library : sources.libraries)
+    if (fs::is_directory(library)) add(absolute(library));
+  if (sources.kind == RtlSources::Unit) add(absolute(rtl_folder()));
+  return folders;
+}
+
+std::vector<std::string> source_words(const RtlSources& sources) {
+  std::vector<std::string> words = {"--relative-includes"};
+  for (const std::string& folder : searched_folders(sources)) words.push_back("-I" + folder);
+  for (const std::string& library : sources.libraries)
+    if (!fs::is_directory(library)) words.insert(words.end(), {"-v", absolute(library)});
+  for (const std::string& define : sources.defines) words.push_back("-D" + define);
+  for (const std::string& parameter : sources.parameters) words.push_back("-G" + parameter);
+  if (sources.kind == RtlSources::Unit && !brings_package(sources))
+    words.push_back(absolute(rtl_folder() + "/" + Package));
+  for (const std::string& file : sources.files) words.push_back(absolute(file));
+  return words;
+}
+
+void write_rtl_xml(const RtlSources& sources, const std::string& work, const std::string& xml) {
+  run_verilator(sources,
+                {"--xml-only", "--xml-output", xml, "--Mdir", work, "--top-module", sources.top},
+                {});
+}
+
+std::string write_rtl_classes(const RtlSources& sources, const std::string& work,
+                              const std::function<void()>& tick) {
+  // Verilator 5.006 gets netlists wrong in the two optimisations that are turned off here.
+  std::vector<std::string> words = {"--cc",         "-O3",        "-fno-const-bit-op-tree",
+                                    "-fno-dfg",     "--x-assign", "fast",
+                                    "--x-initial",  "fast",       "--noassert",
+                                    "--top-module", sources.top,  "--prefix",
+                                    "Vrtl",         "--Mdir",     work};
+  if (sources.signals) words.emplace_back("--public-flat-rw");
+  return run_verilator(sources, words, tick);
+}
+
+std::vector<std::string> circular_signals(const std::string& messages) {
+  static const std::regex Message(
+      "%Warning-UNOPTFLAT: (.*):([0-9]+):[0-9]+: .*Circular combinational logic: '([^']*)'");
+  std::vector<std::string> signals;
+  std::istringstream lines(messages);
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);)
+    if (std::regex_search(line, found, Message))
+      signals.push_back(found[1].str() + ":" + found[2].str() + " " + found[3].str());
+  return signals;
+}
+
+}  // namespace racebeam
