@@ -14,8 +14,8 @@ constexpr int Syncs = 1 << PinHsync | 1 << PinVsync;
 
 BeamScreen::BeamScreen(const Raster& raster)
     : raster_(raster),
-      y_(raster.first_line),
-      colours_(static_cast<std::size_t>(raster.columns) * raster.rows) {}
+      colours_(static_cast<std::size_t>(raster.columns) * raster.rows),
+      y_(raster.first_line) {}
 
 // The edges that begin the pulses: hsync gives the place in the line, vsync the line.
 void BeamScreen::find_place(int uo, int changed) {
