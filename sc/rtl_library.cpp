@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 namespace racebeam {
 
@@ -18,15 +19,14 @@ std::shared_ptr<void> load(const std::string& path) {
   void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library) return {library, dlclose};
   if (!fs::exists(path))
-    throw RtlError("there is no plug-in " + path +
-                   "; build it: scripts/build, or scripts/verilate");
+    throw RtlError("there is no plug-in " + path + "; make one with `racebeam verilate`");
   throw RtlError(path + " cannot be loaded: " + dlerror());
 }
 
 std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void>& library,
                                                       const std::string& path) {
   const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make"));
-  if (!maker) throw RtlError(path + " is no plug-in; make one with scripts/verilate");
+  if (!maker) throw RtlError(path + " is no plug-in; make one with `racebeam verilate`");
   rtl_model* model = maker();
   return {model, model->destroy};
 }
@@ -45,6 +45,14 @@ const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name) {
   for (int n = 0; n < model.port_count; ++n)
     if (name == model.ports[n].name) return model.ports[n];
   throw RtlError("the RTL has no port " + name);
+}
+
+std::string rtl_place(const rtl_model& model) {
+  std::istringstream words(model.remarks);  // the top is the first
+  std::string kind, place;
+  words >> kind;
+  std::getline(words >> std::ws, place);
+  return place.substr(0, place.rfind(' '));
 }
 
 std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& wanted) {

@@ -22,6 +22,9 @@ class RtlError : public std::runtime_error {
 /// A port by its name. Throws RtlError if there is none.
 const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name);
 
+/// "FILE:LINE" of the top module in the RTL's source.
+std::string rtl_place(const rtl_model& model);
+
 /// A port that RTL must have.
 struct rtl_pin {
   std::string name;

@@ -1,6 +1,6 @@
 // What a plug-in of verilated RTL offers to the SystemC chip: a table of ports, and evaluation.
 //
-// Plain C, so that it does not matter which compiler made the plug-in. scripts/verilate makes one.
+// Plain C, so that it does not matter which compiler made the plug-in. tb/verilate makes one.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

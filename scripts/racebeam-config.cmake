@@ -2,24 +2,18 @@
 #
 #   racebeam_add_unit_rtl(NAME <name> UNIT <unit> SOURCES <file>... [PARAMETERS <Name=value>...])
 #       verilates RTL that can stand in the place of a unit: a target rtl_<name>, whose property
-#       PLUGIN is the plug-in's path, and the target `rtl` of all of them
+#       PLUGIN is the plug-in's path, and the target `rtl` of all of them. SOURCES are files, lists
+#       (.f) or folders, as `racebeam verilate` takes them; what they include is followed
 #   racebeam::racebeam
 #       the program: racebeam verify <unit>=<plug-in>
 #   racebeam::hardware
 #       the SystemC chip as a library: #include <sc/tlm_chip.h> in a virtual platform, <sc/chip.h>
 #
-# The first file of SOURCES has the module <unit>, with the ports of sc/<unit>.h.
+# SOURCES have the module <unit>, with the ports of sc/<unit>.h.
 #
 # SPDX-FileCopyrightText: racebeam contributors
 # SPDX-License-Identifier: Apache-2.0
 get_filename_component(RACEBEAM_FOLDER ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
-
-find_program(VERILATOR verilator)
-if(NOT VERILATOR)
-  set(racebeam_FOUND FALSE)
-  set(racebeam_NOT_FOUND_MESSAGE "verilator is not installed; install the package `verilator`")
-  return()
-endif()
 
 get_filename_component(RACEBEAM_PROGRAM ${RACEBEAM_FOLDER}/../../bin/racebeam ABSOLUTE)
 if(EXISTS ${RACEBEAM_PROGRAM} AND NOT TARGET racebeam::racebeam)
@@ -64,13 +58,13 @@ function(racebeam_add_unit_rtl)
     list(APPEND sources ${source})
   endforeach()
   list(TRANSFORM rtl_PARAMETERS PREPEND -G)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/rtl)
   add_custom_command(
     OUTPUT ${plugin}
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/rtl
-    COMMAND ${CMAKE_COMMAND} -E env CXX=${CMAKE_CXX_COMPILER} ${RACEBEAM_FOLDER}/scripts/verilate
-            ${rtl_UNIT} ${plugin} ${rtl_PARAMETERS} ${sources}
-    DEPENDS ${sources} ${RACEBEAM_FOLDER}/rtl/racebeam_pkg.sv ${RACEBEAM_FOLDER}/scripts/verilate
-            ${RACEBEAM_FOLDER}/sc/rtl_glue.cc.in ${RACEBEAM_FOLDER}/sc/rtl_model.h
+    COMMAND ${CMAKE_COMMAND} -E env CXX=${CMAKE_CXX_COMPILER} $<TARGET_FILE:racebeam::racebeam>
+            verilate ${rtl_UNIT} ${sources} -o ${plugin} --depfile ${plugin}.d ${rtl_PARAMETERS}
+    DEPENDS ${sources} racebeam::racebeam
+    DEPFILE ${plugin}.d
     COMMENT "Verilating ${rtl_NAME}"
     VERBATIM)
   add_custom_target(rtl_${rtl_NAME} DEPENDS ${plugin})

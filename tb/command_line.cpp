@@ -17,9 +17,11 @@
 #include "tb/command_scene.h"
 #include "tb/command_trace.h"
 #include "tb/command_verify.h"
+#include "tb/command_verilate.h"
 #include "tb/command_view.h"
 #include "tb/console.h"
 #include "tb/nearest.h"
+#include "tb/verify_watch.h"
 #include "tb/version.h"
 
 namespace racebeam {
@@ -80,6 +82,7 @@ int run_command_line(int argc, char** argv) {
   RenderOptions render;
   BenchOptions bench;
   VerifyOptions verify;
+  VerilateOptions verilate;
   SceneOptions scene;
   ViewOptions view;
   ExplainOptions explain;
@@ -90,6 +93,7 @@ int run_command_line(int argc, char** argv) {
       ->add_flag("--json", json, "JSON on stdout instead of the table");
   add_bench(app, bench);
   add_verify(app, verify);
+  add_verilate(app, verilate);
   add_scene(app, scene);
   add_view(app, view);
   add_explain(app, explain);
@@ -107,7 +111,9 @@ int run_command_line(int argc, char** argv) {
   }
   if (app.got_subcommand("knobs")) return command_knobs(json);
   if (app.got_subcommand("doctor")) return command_doctor(json);
-  if (app.got_subcommand("verify")) return command_verify(verify);
+  if (app.got_subcommand("verify"))
+    return verify.watch ? verify_watch(verify) : command_verify(verify);
+  if (app.got_subcommand("verilate")) return command_verilate(verilate);
   if (app.got_subcommand("view")) return command_view(view);
   if (app.got_subcommand("explain")) return command_explain(explain);
   if (app.got_subcommand("trace")) return command_trace(trace);

@@ -129,7 +129,10 @@ void add_bench(CLI::App& app, BenchOptions& options) {
 
 void add_verify(CLI::App& app, VerifyOptions& options) {
   CLI::App* verify = app.add_subcommand("verify", "Compare model and RTL of units in every clock");
-  verify->add_option("unit", options.units, "UNIT, UNIT=FILE.sv, or all")->type_name("UNIT");
+  verify
+      ->add_option("unit", options.units,
+                   "UNIT; UNIT=FILE.sv, UNIT=A.sv+B.sv, UNIT=LIST.f, UNIT=FOLDER; or all")
+      ->type_name("UNIT");
   verify->add_option("--scene", options.scene, "demo, or a scene file")->capture_default_str();
   verify->add_option("--frames", options.frames, "Frames of the chip, spread over the scene")
       ->type_name("N")
@@ -146,7 +149,40 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
       ->type_name("DIR")
       ->check(not_empty())
       ->capture_default_str();
+  verify->add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
   verify->add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+void add_verilate(CLI::App& app, VerilateOptions& options) {
+  CLI::App* verilate = app.add_subcommand(
+      "verilate",
+      "Make a plug-in of a unit's RTL: for build systems; elsewhere it is made by itself");
+  verilate->add_option("unit", options.unit, "Module; its ports are in sc/UNIT.h")
+      ->required()
+      ->type_name("UNIT");
+  const auto words = [&](const char* name, std::vector<std::string>& to, const char* type,
+                         const char* help) {
+    return verilate->add_option(name, to, help)->type_name(type)->check(not_empty());
+  };
+  words("file", options.files, "FILE", ".sv, .v, a list .f, or a folder; none: the unit's own RTL");
+  verilate->add_option("-o,--output", options.plugin, "Plug-in, for UNIT=OUT.so")
+      ->required()
+      ->type_name("OUT.so")
+      ->check(not_empty());
+  words("-D,--define", options.defines, "NAME[=VALUE]", "Define a macro; repeatable")
+      ->allow_extra_args(false);
+  words("-G,--parameter", options.parameters, "NAME=VALUE", "Set a parameter; repeatable")
+      ->allow_extra_args(false);
+  words("-I,--include", options.include_folders, "DIR", "Folder of includes; repeatable")
+      ->allow_extra_args(false);
+  words("-y,--library", options.libraries, "PATH",
+        "File or folder with modules that no file defines; repeatable")
+      ->allow_extra_args(false);
+  verilate->add_flag("--signals", options.signals,
+                     "Registers inside can be read, for waveforms; slower");
+  verilate->add_option("--depfile", options.dependencies, "Also write all files read, as for make")
+      ->type_name("FILE.d")
+      ->check(not_empty());
 }
 
 void add_scene(CLI::App& app, SceneOptions& options) {

@@ -10,6 +10,7 @@
 #include "tb/command_scene.h"
 #include "tb/command_trace.h"
 #include "tb/command_verify.h"
+#include "tb/command_verilate.h"
 #include "tb/command_view.h"
 
 namespace CLI {
@@ -23,6 +24,7 @@ namespace racebeam {
 void add_render(CLI::App& app, RenderOptions& options);
 void add_bench(CLI::App& app, BenchOptions& options);
 void add_verify(CLI::App& app, VerifyOptions& options);
+void add_verilate(CLI::App& app, VerilateOptions& options);
 void add_scene(CLI::App& app, SceneOptions& options);
 void add_view(CLI::App& app, ViewOptions& options);
 void add_explain(CLI::App& app, ExplainOptions& options);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "tb/console.h"
@@ -92,38 +93,48 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   return verdicts;
 }
 
-/// Each unit by itself: SystemC elaborates once in a process, so each has a process of its own.
+/// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
+UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
+                         std::uint64_t clocks, const std::function<void(std::uint64_t)>& compared) {
+  const std::string text = forked([&] {
+    try {
+      return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
+                                 options.folder, repeat_text(options, dut.unit, 0, options.random),
+                                 compared))
+          .dump();
+    } catch (const RtlError& error) {
+      return Json{{"refused", error.what()}}.dump();
+    }
+  });
+  const Json answer = Json::parse(text);
+  if (answer.contains("refused")) throw RtlError(answer["refused"]);
+  return verdict_of(answer);
+}
+
+/// Each unit by itself: the walk of one that has a walk, and random traffic.
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knobs& k, const unit_choices& choices) {
   std::vector<UnitVerdict> verdicts;
-  const std::int64_t units =
-      static_cast<std::int64_t>(choices.by_unit.size() - choices.by_unit.count(WholeChip));
-  std::int64_t done = 0;  // clocks of the units before
-  Progress progress(units * options.random, "clocks of random traffic");
-  for (const auto& [unit, choice] : choices.by_unit) {
-    if (interrupted() || unit == WholeChip) continue;  // the whole chip has its own traffic only
-    const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
-    progress.draw(done, static_cast<std::uint64_t>(done), unit);
-    const std::string text = forked([&] {
-      try {
-        return to_json(verify_unit(dut, static_cast<std::uint64_t>(options.random),
-                                   static_cast<unsigned>(options.seed), options.folder,
-                                   repeat_text(options, dut.unit, 0, options.random),
-                                   [&, name = dut.unit](std::uint64_t clocks) {
-                                     const std::int64_t all =
-                                         done + static_cast<std::int64_t>(clocks);
-                                     progress.draw(all, static_cast<std::uint64_t>(all), name);
-                                   }))
-            .dump();
-      } catch (const RtlError& error) {
-        return Json{{"refused", error.what()}}.dump();
-      }
-    });
+  std::uint64_t all = 0, done = 0;  // clocks
+  for (const auto& [unit, choice] : choices.by_unit)
+    if (unit != WholeChip) all += walk_clocks(unit) + static_cast<std::uint64_t>(options.random);
+  Progress progress(static_cast<std::int64_t>(all), "clocks of units alone");
+  const auto verify = [&](const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks) {
+    const auto draw = [&](std::uint64_t compared) {
+      progress.draw(static_cast<std::int64_t>(done + compared), done + compared, dut.unit);
+    };
+    draw(0);
+    verdicts.push_back(verify_alone(options, dut, stimulus, clocks, draw));
     progress.clear();
-    const Json answer = Json::parse(text);
-    if (answer.contains("refused")) throw RtlError(answer["refused"]);
-    verdicts.push_back(verdict_of(answer));
-    done += options.random;
+    done += clocks;
+  };
+  for (const auto& [unit, choice] : choices.by_unit) {
+    if (unit == WholeChip) continue;  // the whole chip has its own traffic only
+    const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
+    if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
+      verify(dut, Stimulus::Walk, clocks);
+    if (interrupted()) break;
+    verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
   }
   return verdicts;
 }

@@ -115,6 +115,13 @@ Show demo_file() {
   throw UsageError("free flight needs a scene file, and scenes/demo.toml is not here");
 }
 
+std::string explain_of(const ViewOptions& options) {
+  const bool plain = options.scene.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos;
+  std::string command = "explain " + (plain ? options.scene : "'" + options.scene + "'");
+  for (const std::string& one : options.assignments) command += " --set " + one;
+  return command;
+}
+
 }  // namespace
 
 int command_view(const ViewOptions& options) {
@@ -128,6 +135,7 @@ int command_view(const ViewOptions& options) {
   Viewer::Options setting = viewer_options(options, show.frames());
   if (options.scene != BuiltIn) setting.scene_file = options.scene;
   setting.demo_file = demo_file;
+  setting.explain = explain_of(options);
   const bool tlm = level == "tlm";
   if (tlm) setting.restage = [&](const Show& changed) { return tlm_stage(options, changed); };
   else

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/plugin_maker.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
+#include <set>
 
+#include "sc/rtl_library.h"
 #include "sc/rtl_parameters.h"
 #include "sc/unit_choices.h"
 #include "tb/console.h"
-#include "tb/errors.h"
 #include "tb/scene/program_tables.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/project_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
+#include "tb/verilate/source_list.h"
 
 namespace racebeam {
 
@@ -26,8 +26,12 @@ namespace {
 
 /// "file" that holds `text`, for $readmemh.
 std::string table_file(const std::string& text) {
-  const std::string file = cached(content_key({text}) + ".hex",
-                                  [&](const std::string& fresh) { std::ofstream(fresh) << text; });
+  const std::string file = cached(content_key({text}) + ".hex", [&](const std::string& fresh) {
+    std::ofstream out(fresh);
+    out << text;
+    out.close();
+    if (!out) throw RtlError("cannot write " + fresh + "; is the disk full?");
+  });
   return "\"" + file + "\"";
 }
 
@@ -35,17 +39,12 @@ RtlSources own_sources(const std::string& unit) {
   return {unit, {rtl_folder() + "/" + unit + ".sv"}, {}, {}, {}, {}, RtlSources::Unit, false};
 }
 
-/// The parameters that are whole numbers.
+/// The parameters by name; those that are texts as 0.
 std::map<std::string, int> numbers(const RtlSyntax& syntax) {
   std::map<std::string, int> all;
   for (const RtlSyntax::Parameter& parameter : syntax.parameters)
-    if (!parameter.value.empty()) all[parameter.name] = std::atoi(parameter.value.c_str());
+    all[parameter.name] = std::atoi(parameter.value.c_str());
   return all;
-}
-
-bool has_parameter(const RtlSyntax& syntax, const std::string& name) {
-  return std::any_of(syntax.parameters.begin(), syntax.parameters.end(),
-                     [&](const RtlSyntax::Parameter& own) { return own.name == name; });
 }
 
 }  // namespace
@@ -70,6 +69,14 @@ std::vector<PluginMaker::Setting> PluginMaker::settings(const std::string& unit)
   return all;
 }
 
+void PluginMaker::tell_missing(const std::string& text, const std::vector<Setting>& settings,
+                               const std::map<std::string, int>& known) {
+  std::set<std::string> told;
+  for (const Setting& setting : settings)
+    if (known.count(setting.name) == 0 && told.insert(setting.what).second)
+      tell(text + " has no parameter " + setting.name + "; " + setting.what + " does not reach it");
+}
+
 std::string PluginMaker::own(const std::string& unit) const {
   RtlSources sources = own_sources(unit);
   for (const Setting& setting : settings(unit))
@@ -79,21 +86,20 @@ std::string PluginMaker::own(const std::string& unit) const {
   return rtl_plugin(sources);
 }
 
-std::string PluginMaker::users(const std::string& unit, const std::string& file) const {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error))
-    throw UsageError("there is no file '" + file + "' for the unit " + unit);
-  if (fs::path(file).extension() == ".so") return file;
-  RtlSources sources{unit, {file}, {}, {}, {}, {}, RtlSources::Unit, traced_};
-  const RtlSyntax syntax = read_rtl_syntax(sources);
-  for (const rtl_parameter& parameter : other_parameters(numbers(syntax), knobs_))
+std::string PluginMaker::users(const std::string& unit, const std::string& text) const {
+  if (fs::path(text).extension() == ".so") {
+    if (fs::exists(text))
+      tell_missing(text, settings(unit), built_parameters(rtl_library(text).model()));
+    return text;
+  }
+  RtlSources sources = read_source_list(unit, text);
+  sources.signals = traced_;
+  const std::map<std::string, int> known = numbers(read_rtl_syntax(sources));
+  for (const rtl_parameter& parameter : other_parameters(known, knobs_))
     sources.parameters.push_back(parameter.name + "=" + std::to_string(parameter.value));
   for (const Setting& table : tables(unit))
-    if (has_parameter(syntax, table.name))
-      sources.parameters.push_back(table.name + "=" + table.value);
-  for (const Setting& setting : settings(unit))
-    if (!has_parameter(syntax, setting.name))
-      tell(file + " has no parameter " + setting.name + "; " + setting.what + " does not reach it");
+    if (known.count(table.name) != 0) sources.parameters.push_back(table.name + "=" + table.value);
+  tell_missing(text, settings(unit), known);
   return rtl_plugin(sources);
 }
 

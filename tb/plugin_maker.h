@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,9 @@ class PluginMaker {
   /// The plug-in of a unit's own RTL, verilated if need be. Throws RtlError, MissingTool,
   /// Interrupted.
   std::string own(const std::string& unit) const;
-  /// The plug-in of a user's RTL: a .so as it is, a .sv or .v verilated if need be. Tells which
-  /// knobs do not reach it. Throws UsageError, and as own() does.
-  std::string users(const std::string& unit, const std::string& file) const;
+  /// The plug-in of a user's RTL: a .so as it is, files as read_source_list() takes them verilated
+  /// if need be. Tells which knobs do not reach it. Throws UsageError, and as own() does.
+  std::string users(const std::string& unit, const std::string& text) const;
 
  private:
   /// What a parameter of the unit shall be.
@@ -37,6 +38,8 @@ class PluginMaker {
   std::vector<Setting> tables(const std::string& unit) const;
   /// Everything that the unit's own RTL is told.
   std::vector<Setting> settings(const std::string& unit) const;
+  static void tell_missing(const std::string& text, const std::vector<Setting>& settings,
+                           const std::map<std::string, int>& known);
 
   knobs knobs_;
   const scene_program* program_;

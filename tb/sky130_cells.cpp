@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace racebeam {
@@ -95,9 +96,6 @@ void add_buffers(std::vector<Sky130Cell>& cells) {
     cells.push_back(gate(name, "X", {"A"}, "A"));
   for (const char* name : {"inv", "clkinv", "clkinvlp", "bufinv"})
     cells.push_back(gate(name, "Y", {"A"}, "~A"));
-  cells.push_back(gate("ebufn", "Z", {"A", "TE_B"}, "TE_B ? 1'bz : A"));
-  cells.push_back(gate("einvn", "Z", {"A", "TE_B"}, "TE_B ? 1'bz : ~A"));
-  cells.push_back(gate("einvp", "Z", {"A", "TE"}, "TE ? ~A : 1'bz"));
 }
 
 void add_arithmetic(std::vector<Sky130Cell>& cells) {
@@ -126,16 +124,25 @@ void add_arithmetic(std::vector<Sky130Cell>& cells) {
 /// A flip-flop: Q and perhaps Q_N; `clock` CLK, or CLK_N of the falling edge.
 void add_flip_flop(std::vector<Sky130Cell>& cells, const std::string& name, bool both,
                    const std::string& clock, const Words& pins, const std::string& next) {
-  std::string events = is_inverted(clock) ? "negedge CLK_N" : "posedge CLK", ways;
-  for (const std::string& pin : pins) {
-    if (pin != "RESET_B" && pin != "SET_B") continue;
-    events += " or negedge " + pin;
-    const std::string way = fmt::format("if (~{}) q <= 1'b{}; else ", pin, pin == "SET_B" ? 1 : 0);
-    ways = pin == "RESET_B" ? way + ways : ways + way;
+  std::string events = is_inverted(clock) ? "negedge CLK_N" : "posedge CLK", ways, wires;
+  const auto has = [&](const char* pin) {
+    return std::find(pins.begin(), pins.end(), pin) != pins.end();
+  };
+  // The reset wins; a set that is still there when it ends counts from then on.
+  const bool two = has("RESET_B") && has("SET_B");
+  const std::string set = two ? "set_n" : "SET_B";
+  if (two) wires = "wire set_n = SET_B | ~RESET_B; ";
+  if (has("RESET_B")) {
+    events += " or negedge RESET_B";
+    ways += "if (~RESET_B) q <= 1'b0; else ";
+  }
+  if (has("SET_B")) {
+    events += " or negedge " + set;
+    ways += "if (~" + set + ") q <= 1'b1; else ";
   }
   cells.push_back({name, both ? Words{"Q", "Q_N"} : Words{"Q"}, pins,
-                   fmt::format("reg q; always @({}) {}q <= {}; assign Q = q;{}", events, ways, next,
-                               both ? " assign Q_N = ~q;" : "")});
+                   fmt::format("reg q; {}always @({}) {}q <= {}; assign Q = q;{}", wires, events,
+                               ways, next, both ? " assign Q_N = ~q;" : "")});
 }
 
 void add_flip_flops(std::vector<Sky130Cell>& cells) {

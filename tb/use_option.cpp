@@ -8,6 +8,7 @@
 
 #include "tb/errors.h"
 #include "tb/nearest.h"
+#include "tb/verilate/source_list.h"
 
 namespace racebeam {
 
@@ -54,11 +55,11 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit)};
   const bool beside = text.rfind(Beside, 0) == 0;
   const std::string file = beside ? text.substr(std::string(Beside).size()) : text;
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".sv" || extension == ".v" || extension == ".so")
+  if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
     return {beside ? unit_choice::Model : unit_choice::Rtl, beside, plugins_.users(unit, file)};
   throw unknown_name("implementation", text,
-                     {"model", "rtl", "lockstep", "FILE.sv", "FILE.so", "lockstep:FILE.sv"});
+                     {"model", "rtl", "lockstep", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
+                      "FILE.so", "lockstep:FILE.sv"});
 }
 
 void UseOption::use_one(unit_choices& choices, const std::string& text) const {

@@ -18,9 +18,9 @@ class UseOption {
   /// `traced`: signals inside the RTL can be read.
   UseOption(const knobs& k, const scene_program* program, bool traced = false);
 
-  /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=mine.so", or
-  /// several with commas between; later ones replace earlier ones. SystemVerilog is verilated here.
-  /// Throws UsageError, RtlError, MissingTool.
+  /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
+  /// "stacks=mine.f", "stacks=mine.so", or several with commas between; later ones replace earlier
+  /// ones. SystemVerilog is verilated here. Throws UsageError, RtlError, MissingTool.
   void use(unit_choices& choices, const std::string& text) const;
 
   /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. `all` has

@@ -10,6 +10,7 @@
 #include "sc/chip.h"
 #include "tb/random_traffic.h"
 #include "tb/trace/difference_wave.h"
+#include "tb/tune_walk.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -50,8 +51,12 @@ std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
                      pwm_sound>(dut);
 }
 
-UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed,
-                        const std::string& folder, const std::string& repeat,
+std::uint64_t walk_clocks(const std::string& unit) {
+  return unit == pwm_sound::unit_name ? TuneWalk::Clocks : 0;
+}
+
+UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
+                        unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
   const auto model = make_model(dut);
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
@@ -64,22 +69,31 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned
       counter->deposit(frame);
       lockstep.deposit_frame(frame);
     });
-  bench.between_edges([&] { traffic.next(); });
+  TuneWalk walk(bench, seed);
+  if (stimulus == Stimulus::Walk) bench.between_edges([&] { walk.next(); });
+  else bench.between_edges([&] { traffic.next(); });
   while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole())) {
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
     compared(lockstep.clocks());
   }
-  UnitVerdict verdict{
-      dut.unit, "random", lockstep.clocks(), lockstep.masked(), lockstep.differences(), 0, {}};
+  const bool random = stimulus == Stimulus::Random;
+  UnitVerdict verdict{dut.unit,
+                      random ? "random" : "walk",
+                      lockstep.clocks(),
+                      lockstep.masked(),
+                      lockstep.differences(),
+                      0,
+                      {}};
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto& d = lockstep.first())
-    verdict.first = FirstDifference{d->port,
-                                    d->clock,
-                                    d->expected,
-                                    d->got,
-                                    {},
-                                    explain(*d, {"on random traffic", repeat, "",
-                                                 save_random_window(*d, dut.k, folder), dut.k})};
+    verdict.first = FirstDifference{
+        d->port,
+        d->clock,
+        d->expected,
+        d->got,
+        {},
+        explain(*d, {random ? "on random traffic" : "on the walk through its tune", repeat, "",
+                     save_unit_window(*d, verdict.traffic, dut.k, folder), dut.k})};
   return verdict;
 }
 

@@ -1,4 +1,4 @@
-// Model and RTL of one unit on random traffic, in lockstep.
+// Model and RTL of one unit alone, on traffic that the chip never makes, in lockstep.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -27,7 +27,7 @@ struct FirstDifference {
 
 /// What a comparison of one unit found.
 struct UnitVerdict {
-  std::string unit, traffic;  ///< traffic: "chip" or "random"
+  std::string unit, traffic;  ///< traffic: "chip", "random" or "walk"
   std::uint64_t clocks = 0;   ///< compared
   std::uint64_t masked = 0;   ///< compares of an output left out
   std::uint64_t differences = 0;
@@ -45,12 +45,18 @@ struct UnitUnderTest {
 /// Its model, called "model".
 std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut);
 
-/// Compares model and RTL over `clocks` clocks of RandomTraffic, up to a difference, which is
+/// What drives a unit alone: RandomTraffic, or a walk through what that does not reach.
+enum class Stimulus { Random, Walk };
+
+/// Clocks of the walk of a unit that has one; else 0.
+std::uint64_t walk_clocks(const std::string& unit);
+
+/// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, which is
 /// explained and saved in `folder`; `repeat` is the command for it. `compared` is told now and then
 /// how many clocks are done. Only one such comparison and nothing else of SystemC may happen in a
 /// process. Throws RtlError, OutputError.
-UnitVerdict verify_unit(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed,
-                        const std::string& folder, const std::string& repeat,
+UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
+                        unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared);
 
 }  // namespace racebeam

@@ -66,7 +66,7 @@ const Command commands[] = {
      "525 lines"},
     {"RandomTraffic",
      {"verify", "stacks", "camera_unit", "--frames", "0", "--random", "20000"},
-     "40000 clocks of random traffic"},
+     "40000 clocks of units alone"},
     {"Verify", {"verify", "stacks", "--frames", "1", "--random", "0"}, "1 frames"},
     {"Render", {"render", "demo", "--frames", "2", "--stats", "s.json"}, "2 frames"},
     {"Bench", {"bench", "vga_timing", "--repeat", "1"}, "1 rows"},

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "tb/view/view_layout.h"
+#include "tb/view/view_picture.h"
 #include "tests/program.h"
 #include "tests/view_pictures.h"
 #include "tests/x_server.h"
@@ -44,7 +46,8 @@ TEST_F(CliViewTest, WindowShowsTheFramePixelForPixelAndObeysTheKeyboard) {
   const auto shows = [&](const Bytes& expected, int height = VisibleRows) {
     return eventually([&] { return server.window(VisibleColumns, height) == expected; });
   };
-  Program program(folder.path(), {"view", "demo", "--first", "7223", "--paused", "-o", "shots"},
+  Program program(folder.path(),
+                  {"view", "demo", "--first", "7223", "--paused", "-o", "shots", "--scale", "1"},
                   {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
   server.point_at_window();
   EXPECT_TRUE(shows(frame_of(Worst)));
@@ -61,7 +64,82 @@ TEST_F(CliViewTest, WindowShowsTheFramePixelForPixelAndObeysTheKeyboard) {
   EXPECT_TRUE(shows(frame_of(Worst + 1)));
   server.key("Right");
   EXPECT_TRUE(shows(frame_of(Worst + 61)));
+  server.click_on_window(320, 240);
   server.key("Escape");
+  EXPECT_EQ(program.wait(), 0) << program.err();
+  EXPECT_EQ(program.err(),
+            "racebeam: wrote shots/view_7223.png\n"
+            "racebeam: to know why: racebeam explain demo --frame 7284 --pixel 320,240\n");
+}
+
+class CliViewScreenTest : public CliViewTest, public testing::WithParamInterface<Extent> {};
+
+TEST_P(CliViewScreenTest, TheWindowLiesOnTheScreenWithPanelAndLegend) {
+  const Extent screen = GetParam();
+  const XServer server(screen.width, screen.height);
+  Program program(folder.path(), {"view", "demo", "--first", "7223", "--paused"},
+                  {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
+  server.point_at_window();
+  /// The window is as large as that picture should be, and lies on the screen.
+  const auto fits = [&](Extent picture) {
+    const Extent size = scaled(picture, fit_scale(picture, window_room(screen)));
+    return eventually([&] {
+      const Box window = server.window_box();
+      return window.size == size && window.left >= 0 && window.top >= 0 &&
+             window.left + size.width <= screen.width && window.top + size.height <= screen.height;
+    });
+  };
+  constexpr int Wide = VisibleColumns + PanelWidth, High = VisibleRows + MapBarHeight;
+  EXPECT_TRUE(fits({VisibleColumns, VisibleRows}));
+  server.key("t");
+  EXPECT_TRUE(fits({Wide, VisibleRows}));
+  server.key("1");
+  EXPECT_TRUE(fits({Wide, High}));
+  server.key("g");
+  server.key("t");
+  server.key("g");
+  EXPECT_TRUE(fits({VisibleColumns, High}));
+  server.key("0");
+  EXPECT_TRUE(fits({VisibleColumns, VisibleRows}));
+  server.key("q");
+  EXPECT_EQ(program.wait(), 0) << program.err();
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, CliViewScreenTest,
+                         testing::Values(Extent{1600, 1200}, Extent{1920, 1080}, Extent{1366, 768},
+                                         Extent{1280, 720}),
+                         [](const auto& screen) {
+                           return std::to_string(screen.param.width) + "x" +
+                                  std::to_string(screen.param.height);
+                         });
+
+TEST_F(CliViewTest, AWindowThatTheUserMadeLargerKeepsItsPixels) {
+  const XServer server(1600, 1200);
+  Program program(folder.path(), {"view", "demo", "--first", "7223", "--paused", "--scale", "1"},
+                  {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
+  server.point_at_window();
+  const auto becomes = [&](Extent size) {
+    return eventually([&] { return server.window_box().size == size; });
+  };
+  EXPECT_TRUE(becomes({640, 480}));
+  XServer::xdotool("search --name '^racebeam' windowsize 960 720");
+  EXPECT_TRUE(becomes({960, 720}));
+  server.key("t");
+  EXPECT_TRUE(becomes(scaled({VisibleColumns + PanelWidth, VisibleRows}, 1.5)));
+  server.key("t");
+  EXPECT_TRUE(becomes({960, 720}));
+  XServer::xdotool("search --name '^racebeam' windowsize 1300 1000");
+  EXPECT_TRUE(becomes({1300, 1000}));
+  // Each pixel is two by two, in the middle of black.
+  RgbImage expected(1300, 1000);
+  const Bytes frame = frame_of(Worst);
+  for (int y = 0; y < VisibleRows; ++y)
+    for (int x = 0; x < VisibleColumns; ++x) {
+      const std::uint8_t* pixel = &frame[3 * (y * VisibleColumns + x)];
+      expected.fill(10 + 2 * x, 20 + 2 * y, 2, 2, {pixel[0], pixel[1], pixel[2]});
+    }
+  EXPECT_TRUE(eventually([&] { return server.window(1300, 1000) == bytes_of(expected); }));
+  server.key("q");
   EXPECT_EQ(program.wait(), 0) << program.err();
 }
 
@@ -83,9 +161,10 @@ TEST_F(CliViewTest, AChangedSceneFileIsShownAtTheSignalLevelToo) {
   const auto shows = [&](const Bytes& expected) {
     return eventually([&] { return server.window(VisibleColumns, VisibleRows) == expected; });
   };
-  Program program(folder.path(),
-                  {"view", "scene.toml", "--level", "signal", "--first", "3", "--paused"},
-                  {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
+  Program program(
+      folder.path(),
+      {"view", "scene.toml", "--level", "signal", "--first", "3", "--paused", "--scale", "1"},
+      {"", RLIM_INFINITY, false, "SDL_VIDEODRIVER=x11"});
   server.point_at_window();
   EXPECT_TRUE(shows(before));
   write("0312");  // a fault: the old picture stays, with the message above it
@@ -130,7 +209,10 @@ TEST_F(CliViewTest, SignalLevelStopsAtAnyClock) {
                   "--keys", "l l k c b o"}),
             0)
       << said;
-  EXPECT_EQ(read_rgb(folder / "view_0061.png"), frame_of(60));  // the beam is in the blanked lines
+  Bytes expected = frame_of(60);  // two lines of the next frame, and a pixel, which is blanked
+  const Bytes next = frame_of(61);
+  std::copy_n(next.begin(), 2 * 3 * VisibleColumns, expected.begin());
+  EXPECT_EQ(read_rgb(folder / "view_0061.png"), expected);
 }
 
 TEST_F(CliViewTest, KnobsChangeTheFrame) {
@@ -180,6 +262,18 @@ TEST_F(CliViewTest, MistakesEndWithTwoAndSayWhatToDo) {
 TEST_F(CliViewTest, WithoutADisplayItEndsWithThreeAndNamesTheTerminal) {
   EXPECT_EQ(view({"demo"}, "x11"), 3);
   EXPECT_THAT(said, HasSubstr("racebeam view --term"));
+  unsetenv("XDG_RUNTIME_DIR");
+  unsetenv("WAYLAND_DISPLAY");
+  EXPECT_EQ(view({"demo"}, ""), 3);
+  EXPECT_EQ(said,
+            "racebeam: no window can be opened: there is no display; set DISPLAY, or watch in the "
+            "terminal: racebeam view --term\n");
+}
+
+TEST_F(CliViewTest, WithoutALoudspeakerItSaysSoOnceAndGoesOn) {
+  setenv("SDL_AUDIODRIVER", "none such", 1);
+  EXPECT_EQ(view({"demo", "--first", "60", "--frames", "3", "--keys", "m m"}), 0);
+  EXPECT_THAT(said, testing::MatchesRegex("racebeam: no sound: [^\n]*\n"));
 }
 
 }  // namespace

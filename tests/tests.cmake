@@ -55,11 +55,15 @@ set_tests_properties(tune/RtlTables PROPERTIES LABELS unit TIMEOUT 60)
 # The test bench
 add_racebeam_test(vga_monitor unit)
 add_racebeam_test(frame_finder unit GTest::gmock)
+add_racebeam_test(sky130_cells unit fmt::fmt)
+target_sources(sky130_cells_test PRIVATE tb/sky130_cells.cpp)
 add_racebeam_test(pin_stats unit)
 add_racebeam_test(sound_monitor unit PkgConfig::SNDFILE)
 add_racebeam_test(output_file unit)
 add_racebeam_test(view_control unit racebeam_view_parts)
+target_sources(view_control_test PRIVATE tests/tile_keys_test.cpp)
 target_compile_definitions(view_control_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+add_racebeam_test(view_layout unit racebeam_view_parts)
 add_racebeam_test(viewer frame racebeam_view)
 add_racebeam_test(free_flight frame racebeam_view_parts)
 target_compile_definitions(free_flight_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
@@ -77,6 +81,8 @@ add_racebeam_test(vcd_diff unit racebeam_trace GTest::gmock)
 add_racebeam_test(flight_recorder unit racebeam_trace)
 add_racebeam_test(condition unit racebeam_trace)
 add_racebeam_test(wave_picture unit racebeam_trace LibXml2::LibXml2 GTest::gmock)
+add_racebeam_test(rtl_syntax unit racebeam_scene GTest::gmock)
+target_compile_definitions(rtl_syntax_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(lockstep unit racebeam_trace fmt::fmt GTest::gmock)
 target_compile_definitions(lockstep_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 add_racebeam_test(lockstep_text unit racebeam_trace GTest::gmock)
@@ -157,6 +163,7 @@ foreach(
   cli_overlay
   cli_progress
   cli_render
+  cli_rtl
   cli_scene
   cli_trace
   cli_trace_around
@@ -170,6 +177,7 @@ foreach(
   cli_tt
   cli_tt_inputs
   cli_tt_trace
+  cli_tt_traits
   cli_tt_view
   cli_verify
   cli_view_term)
@@ -183,6 +191,7 @@ target_link_libraries(cli_gtkwave_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_picture_test PRIVATE LibXml2::LibXml2)
 target_link_libraries(cli_tt_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_inputs_test PRIVATE PkgConfig::OIIO)
+target_link_libraries(cli_tt_traits_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_tt_view_test PRIVATE PkgConfig::OIIO)
 if(SDL2_FOUND)
   target_compile_definitions(cli_tt_view_test PRIVATE RACEBEAM_WINDOW)
@@ -192,7 +201,7 @@ target_link_libraries(cli_trace_event_test PRIVATE racebeam_trace)
 target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)
 target_link_libraries(cli_trace_files_test PRIVATE racebeam_trace)
 if(SDL2_FOUND)
-  target_link_libraries(cli_view_test PRIVATE PkgConfig::OIIO)
+  target_link_libraries(cli_view_test PRIVATE racebeam_view_parts PkgConfig::OIIO)
 endif()
 
 # All frames of the demo are the taped-out chip's; two minutes

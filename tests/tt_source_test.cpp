@@ -36,7 +36,7 @@ class TtSourceTest : public testing::Test {
   /// What the bench of `render` draws.
   std::vector<Colours> rendered(int frames, const TtInputs& inputs) const {
     TtRun run = run_of(inputs);
-    TtBench bench(run, {}, false, 0);
+    TtBench bench(run, false, false, 0);
     std::vector<Colours> all;
     for (int i = 0; i < frames; ++i) all.push_back(bench.render().picture.colours);
     return all;

@@ -19,8 +19,8 @@ TEST(ViewControl, EveryKeyOfTheHelpDoesSomethingAndNoOther) {
     std::istringstream words(row.keys);
     for (std::string key; words >> key; ++keys) EXPECT_TRUE(ViewControl().press(key)) << key;
   }
-  EXPECT_EQ(keys, 39);
-  for (const char* key : {"j", "y", "f2", "return", ""}) EXPECT_FALSE(ViewControl().press(key));
+  EXPECT_EQ(keys, 40);
+  for (const char* key : {"n", "y", "f2", "return", ""}) EXPECT_FALSE(ViewControl().press(key));
 }
 
 TEST(ViewControl, ReadmeListsEveryKey) {
@@ -46,7 +46,8 @@ TEST(ViewControl, SpacePausesAndGoesOn) {
 TEST(ViewControl, AStepPausesFirst) {
   for (const auto& [key, action] :
        {std::pair{".", ViewAction::StepFrame}, std::pair{"l", ViewAction::StepLine},
-        std::pair{"k", ViewAction::StepPixel}, std::pair{"c", ViewAction::StepClock}}) {
+        std::pair{"j", ViewAction::StepTenLines}, std::pair{"k", ViewAction::StepPixel},
+        std::pair{"c", ViewAction::StepClock}}) {
     ViewControl control;
     control.press(key);
     EXPECT_TRUE(control.state.paused);
@@ -94,9 +95,9 @@ TEST(ViewControl, ArrowsLeapOnThePathAndTurnInAFreeFlight) {
   control.state.flying = true;
   control.press("left");
   EXPECT_FALSE(control.take_action());
-  EXPECT_EQ(control.motion().turn, -1);
+  EXPECT_EQ(control.take_motion().turn, -1);
   control.release("left");
-  EXPECT_EQ(control.motion().turn, 0);
+  EXPECT_EQ(control.take_motion().turn, 0);
 }
 
 TEST(ViewControl, OppositeKeysCancelAndALostWindowLetsAllGo) {
@@ -106,11 +107,41 @@ TEST(ViewControl, OppositeKeysCancelAndALostWindowLetsAllGo) {
   control.press("a");
   control.press("d");
   control.press("e");
-  EXPECT_EQ(control.motion().ahead, 1);
-  EXPECT_EQ(control.motion().right, 0);
-  EXPECT_EQ(control.motion().up, 1);
+  const auto motion = control.take_motion();
+  EXPECT_EQ(motion.ahead, 1);
+  EXPECT_EQ(motion.right, 0);
+  EXPECT_EQ(motion.up, 1);
   control.release_all();
-  EXPECT_EQ(control.motion().ahead, 0);
+  EXPECT_EQ(control.take_motion().ahead, 0);
+}
+
+TEST(ViewControl, AKeyThatWentDownAndUpBetweenTwoLooksMovesOnce) {
+  ViewControl control;
+  control.state.flying = true;
+  EXPECT_FALSE(control.steered());
+  control.press("w");
+  control.release("w");
+  EXPECT_TRUE(control.steered());
+  EXPECT_EQ(control.take_motion().ahead, 1);
+  EXPECT_FALSE(control.steered());
+  EXPECT_EQ(control.take_motion().ahead, 0);
+}
+
+TEST(ViewControl, AKeyOfTheFlightOutOfItIsAnswered) {
+  ViewControl control;
+  control.press("w");
+  EXPECT_EQ(control.take_action(), ViewAction::FlightHint);
+  control.press("left");
+  EXPECT_EQ(control.take_action(), ViewAction::Back);
+  EXPECT_FALSE(control.take_action());
+}
+
+TEST(ViewControl, AClickAsksToExplainItsPixel) {
+  ViewControl control;
+  control.click(639, 0);
+  EXPECT_EQ(control.take_action(), ViewAction::Explain);
+  EXPECT_EQ(control.clicked().column, 639);
+  EXPECT_EQ(control.clicked().row, 0);
 }
 
 TEST(ViewControl, TheMouseCountsInAFreeFlightOnly) {

@@ -165,6 +165,56 @@ TEST_F(ViewerSceneTest, FreeFlightStartsOnThePathAndGoesWhereTheKeysSay) {
   EXPECT_TRUE(shows(10));
 }
 
+TEST_F(ViewerSceneTest, ThePauseStopsTheShowAndNotTheCamera) {
+  press("f");
+  viewer->tick(0, in_time);
+  EXPECT_EQ(viewer->message(), "free flight: w a s d, e x, arrows, mouse; f: back to the path");
+  const auto colours = [&] { return viewer->source().watch().screen().colours(); };
+  const auto still = colours();
+  for (int i = 0; i < 60; ++i) viewer->tick(Period, in_time);
+  EXPECT_TRUE(colours() == still);
+  viewer->control.press("w");
+  for (int i = 0; i < 30; ++i) viewer->tick(Period, in_time);
+  viewer->control.release("w");
+  EXPECT_TRUE(viewer->control.state.paused);
+  EXPECT_NEAR(viewer->pose()->position[2], 18 + 120, 6);  // half a second at 240 units
+  const auto ahead = colours();
+  EXPECT_FALSE(ahead == still);
+  EXPECT_TRUE(viewer->source().watch().whole());
+  viewer->tick(1, in_time);
+  const int before = viewer->pose()->position[0];
+  viewer->control.press("d");  // down and up between two ticks
+  viewer->control.release("d");
+  viewer->tick(Period, in_time);
+  EXPECT_NEAR(viewer->pose()->position[0], before + 4, 1);
+  EXPECT_TRUE(viewer->take_sound().empty());
+  press("l");
+  EXPECT_FALSE(viewer->source().watch().whole());
+  viewer->control.mouse(100, 0);  // in the middle of a frame
+  viewer->tick(Period, in_time);
+  EXPECT_TRUE(viewer->source().watch().whole());
+  EXPECT_EQ(viewer->pose()->yaw, 10 + 80);
+  press("f");
+  viewer->tick(0, in_time);
+  EXPECT_TRUE(shows(10));
+}
+
+TEST_F(ViewerSceneTest, AFlightIsShownInFullWithEveryLineOfThePanel) {
+  press("f");
+  viewer->tick(0, in_time);
+  const auto panel = [&] {
+    const RgbImage picture = viewer->picture();
+    int lowest = -1;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = VisibleColumns; x < picture.width(); ++x)
+        if (picture.at(x, y) != picture.at(VisibleColumns, y)) lowest = y;
+    return lowest;
+  };
+  press("g");
+  press("t");
+  EXPECT_LT(panel(), VisibleRows - 3);
+}
+
 TEST_F(ViewerSceneTest, TheMouseLooksAround) {
   press("f");
   viewer->control.mouse(100, 50);

@@ -19,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "tb/view/view_layout.h"
 #include "tests/scratch_folder.h"
 
 namespace racebeam {
@@ -75,18 +76,27 @@ class XServer {
   }
   static void key(const std::string& name) { xdotool("key " + name); }
 
+  /// Clicks on a pixel of the program's window.
+  static void click_on_window(int x, int y) {
+    xdotool("search --name '^racebeam' mousemove --window %1 " + std::to_string(x) + " " +
+            std::to_string(y) + " click 1");
+  }
+
+  /// Where the program's window is; of no size if there is none.
+  static Box window_box() {
+    const std::string place = xdotool("search --name '^racebeam' getwindowgeometry --shell");
+    const auto number = [&](const std::string& name) {
+      const auto at = place.find(name);
+      return at == std::string::npos ? 0 : std::atoi(place.c_str() + at + name.size());
+    };
+    return {number("\nX="), number("\nY="), {number("\nWIDTH="), number("\nHEIGHT=")}};
+  }
+
   /// The screen inside the program's window: 3 bytes a pixel; empty if it has another size.
   std::vector<std::uint8_t> window(int width, int height) const {
-    const std::string place = xdotool("search --name '^racebeam' getwindowgeometry --shell");
-    const auto number = [&](const char* name) {
-      const auto at = place.find(name);
-      return at == std::string::npos ? -1
-                                     : std::atoi(place.c_str() + at + std::string(name).size());
-    };
-    const int left = number("\nX="), top = number("\nY=");
-    if (number("\nWIDTH=") != width || number("\nHEIGHT=") != height || left < 0 || top < 0)
-      return {};
-    return pixels(left, top, width, height);
+    const Box box = window_box();
+    if (box.size != Extent{width, height} || box.left < 0 || box.top < 0) return {};
+    return pixels(box.left, box.top, width, height);
   }
 
   /// The whole screen.

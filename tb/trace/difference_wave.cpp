@@ -55,7 +55,8 @@ struct Stretch {
   std::size_t first, last;
 };
 
-std::string path_of(const LockstepDifference& d, const char* traffic, const std::string& folder) {
+std::string path_of(const LockstepDifference& d, const std::string& traffic,
+                    const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw OutputError(folder, error.message());
@@ -108,9 +109,9 @@ std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& fr
   return path;
 }
 
-std::string save_random_window(const LockstepDifference& d, const knobs& k,
-                               const std::string& folder) {
-  const std::string path = path_of(d, "random", folder);
+std::string save_unit_window(const LockstepDifference& d, const std::string& traffic,
+                             const knobs& k, const std::string& folder) {
+  const std::string path = path_of(d, traffic, folder);
   const auto period = static_cast<std::uint64_t>(clock_period_ps(k.clocks_per_pixel));
   DifferenceRow row(d);
   VcdWriter vcd;

@@ -29,9 +29,8 @@ struct DrivenFrames {
 std::string save_chip_window(const LockstepDifference& difference, const DrivenFrames& frames,
                              const knobs& k, const std::string& folder);
 
-/// Writes FOLDER/<unit>_random.vcd and .gtkw; time 0 is the first clock of the traffic. Returns the
-/// name of the waveform. Throws OutputError.
-std::string save_random_window(const LockstepDifference& difference, const knobs& k,
-                               const std::string& folder);
+/// The same of a unit alone, FOLDER/<unit>_<traffic>.vcd; time 0 is the first clock of the traffic.
+std::string save_unit_window(const LockstepDifference& difference, const std::string& traffic,
+                             const knobs& k, const std::string& folder);
 
 }  // namespace racebeam

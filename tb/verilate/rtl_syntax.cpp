@@ -177,6 +177,10 @@ void SyntaxReader::read_top() {
     long long value = 0;
     const std::vector<Node> values = children(node);
     const bool whole = !values.empty() && is_number(attribute(values[0], "name"), value);
+    const auto type = types_.find(attribute(node, "dtype_id"));
+    const bool wraps = type != types_.end() && attribute(type->second, "signed") == "true" &&
+                       bits(attribute(node, "dtype_id")) == 32;
+    if (wraps) value = static_cast<std::int32_t>(value);
     syntax_.parameters.push_back({name, whole ? std::to_string(value) : ""});
   }
 }

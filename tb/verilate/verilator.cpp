@@ -77,8 +77,9 @@ const std::string& verilator_version() {
 }
 
 std::string verilator_runtime() {
-  const ToolResult result = run_tool({{"verilator", "--getenv", "VERILATOR_ROOT"}, "", {}, {}});
-  return trimmed(result.said) + "/include";
+  static const std::string root =
+      trimmed(run_tool({{"verilator", "--getenv", "VERILATOR_ROOT"}, "", {}, {}}).said);
+  return root + "/include";
 }
 
 std::vector<std::string> searched_folders(const RtlSources& sources) {

@@ -28,6 +28,13 @@ RgbImage::RgbImage(const std::vector<std::uint8_t>& colours, int columns, int ro
       pixels_[static_cast<std::size_t>(y) * width + x] = rgb_of(colours[y * columns + x]);
 }
 
+RgbImage RgbImage::top(int width, int height) const {
+  RgbImage part(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) part.dot(x, y, at(x, y));
+  return part;
+}
+
 void RgbImage::fill(int left, int top, int width, int height, Rgb colour) {
   for (int y = top; y < top + height; ++y)
     for (int x = left; x < left + width; ++x) dot(x, y, colour);

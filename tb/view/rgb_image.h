@@ -32,6 +32,9 @@ class RgbImage {
   /// A picture of columns x rows of the chip's colours, at the top left of a larger black one.
   RgbImage(const std::vector<std::uint8_t>& colours, int columns, int rows, int width, int height);
 
+  /// Its top left part.
+  RgbImage top(int width, int height) const;
+
   int width() const { return width_; }
   int height() const { return height_; }
   /// Row by row, three bytes a pixel.

@@ -17,12 +17,12 @@ constexpr const char* HalfBlock = "\xe2\x96\x80";
 constexpr const char* Plain = "\x1b[0m";
 constexpr Rgb White{235, 235, 235}, Shade{16, 16, 22};
 
-/// Mean of the box of 640 x 480 pixels that pixel (x, y) of width x height stands for.
+/// Mean of the box of the picture that pixel (x, y) of width x height stands for.
 Rgb mean(const RgbImage& picture, int x, int y, int width, int height) {
   const auto begin = [](int i, int count, int pixels) { return i * pixels / count; };
-  const int left = begin(x, width, VisibleColumns), top = begin(y, height, VisibleRows);
-  const int right = std::max(begin(x + 1, width, VisibleColumns), left + 1);
-  const int bottom = std::max(begin(y + 1, height, VisibleRows), top + 1);
+  const int left = begin(x, width, picture.width()), top = begin(y, height, picture.height());
+  const int right = std::max(begin(x + 1, width, picture.width()), left + 1);
+  const int bottom = std::max(begin(y + 1, height, picture.height()), top + 1);
   int r = 0, g = 0, b = 0;
   for (int row = top; row < bottom; ++row)
     for (int column = left; column < right; ++column) {
@@ -42,7 +42,7 @@ TermPicture::Cells TermPicture::cells_of(const RgbImage& picture,
   Cells cells(static_cast<std::size_t>(size.columns) * size.rows);
   const int most = std::max(size.rows - 1, 1);  // rows for the picture
   const int width = std::clamp(most * 2 * VisibleColumns / VisibleRows, 1,
-                               std::min(size.columns, VisibleColumns));
+                               std::min(size.columns, picture.width()));
   const int height = std::max(width * VisibleRows / VisibleColumns / 2, 1) * 2;
   const int left = (size.columns - width) / 2;
   for (int row = 0; row < height / 2 && row < size.rows; ++row)

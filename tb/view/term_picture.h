@@ -21,9 +21,10 @@ struct TermSize {
 
 class TermPicture {
  public:
-  /// The text that makes a terminal show the top 640 x 480 of `picture`, as large as fits above one
-  /// line for `status`, with `words` over its top left; means of pixels, as a smaller screen would.
-  /// It starts from what the call before has left, or from anything after another size.
+  /// The text that makes a terminal show `picture`, which a screen makes 4:3, as large as fits
+  /// above one line for `status`, with `words` over its top left; means of pixels, as a smaller
+  /// screen would. It starts from what the call before has left, or from anything after another
+  /// size.
   std::string draw(const RgbImage& picture, const std::vector<std::string>& words,
                    const std::string& status, TermSize size);
   /// The same as rows of text from top to bottom that depend on nothing before.

@@ -60,6 +60,7 @@ class Terminal : public ViewScreen {
     const std::string_view leave = Leave;
     if (write(STDOUT_FILENO, leave.data(), leave.size()) < 0) return;
     if (keys_) tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
+    for (const std::string& line : told_) tell(line);
   }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -87,6 +88,7 @@ class Terminal : public ViewScreen {
     print(picture_.draw(viewer.bare_picture(), viewer.words(),
                         viewer.title() + " - h: keys, q: quit", size()));
   }
+  void tell_user(const std::string& line) override { told_.push_back(line); }
 
  private:
   static TermSize size() {
@@ -100,6 +102,7 @@ class Terminal : public ViewScreen {
   const bool keys_;
   TermPicture picture_;
   std::map<std::string, int> held_;
+  std::vector<std::string> told_;  // when the other screen is left
 };
 
 }  // namespace

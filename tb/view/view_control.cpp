@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -17,12 +18,13 @@ using Keys = std::map<std::string, std::function<void(ViewState&)>>;
 const std::map<std::string, ViewAction>& action_keys() {
   static const std::map<std::string, ViewAction> keys{
       {".", ViewAction::StepFrame},    {"l", ViewAction::StepLine},
-      {"k", ViewAction::StepPixel},    {"c", ViewAction::StepClock},
-      {"r", ViewAction::Rewind},       {"left", ViewAction::Back},
-      {"right", ViewAction::Forward},  {"o", ViewAction::Screenshot},
-      {"f12", ViewAction::Screenshot}, {"v", ViewAction::Record},
-      {"f", ViewAction::Fly},          {"f5", ViewAction::Reload},
-      {"escape", ViewAction::Quit},    {"q", ViewAction::Quit}};
+      {"j", ViewAction::StepTenLines}, {"k", ViewAction::StepPixel},
+      {"c", ViewAction::StepClock},    {"r", ViewAction::Rewind},
+      {"left", ViewAction::Back},      {"right", ViewAction::Forward},
+      {"o", ViewAction::Screenshot},   {"f12", ViewAction::Screenshot},
+      {"v", ViewAction::Record},       {"f", ViewAction::Fly},
+      {"f5", ViewAction::Reload},      {"escape", ViewAction::Quit},
+      {"q", ViewAction::Quit}};
   return keys;
 }
 
@@ -60,13 +62,15 @@ const Keys& state_keys() {
 
 bool pauses(ViewAction action) {
   return action == ViewAction::StepFrame || action == ViewAction::StepLine ||
-         action == ViewAction::StepPixel || action == ViewAction::StepClock;
+         action == ViewAction::StepTenLines || action == ViewAction::StepPixel ||
+         action == ViewAction::StepClock;
 }
 
 const std::vector<KeyHelp>& all_help() {
   static const std::vector<KeyHelp> rows{
       {"space p", "pause, go on"},
-      {". l k c", "step a frame, line, pixel, clock"},
+      {". l k c", "step a frame, visible line, pixel, clock"},
+      {"j", "step ten lines"},
       {"r", "rewind to the first frame"},
       {"left right", "a second back, on"},
       {"+ = -", "faster, slower"},
@@ -80,41 +84,43 @@ const std::vector<KeyHelp>& all_help() {
       {"i", "borders of intervals", KeyHelp::Model},
       {"g", "gauges of FIFO and stacks", KeyHelp::Model},
       {"t", "statistics"},
-      {"f", "free flight, back to the path", KeyHelp::Model},
+      {"f", "free flight, paused too; back to the path", KeyHelp::Model},
       {"w a s d", "fly ahead, left, back, right", KeyHelp::Model},
       {"e x", "rise, sink", KeyHelp::Model},
       {"up down", "look up, down; mouse: look around", KeyHelp::Model},
       {"o f12", "screenshot"},
-      {"v", "record a GIF, stop"},
+      {"v", "record a GIF of the chip's own picture, stop"},
       {"f5", "load the scene file again", KeyHelp::Model},
       {"m", "sound off, on"},
       {"f11", "full screen"},
-      {"h f1", "this help"},
+      {"h f1", "this help; a click: the command that explains a pixel", KeyHelp::Model},
+      {"h f1", "this help", KeyHelp::Tile},
       {"q escape", "quit"},
   };
   return rows;
 }
 
-bool is_key_of(KeyHelp::Chip chip, const std::string& key) {
-  for (const KeyHelp& row : all_help()) {
-    std::istringstream keys(row.keys);
-    for (std::string one; row.chip == chip && keys >> one;)
-      if (one == key) return true;
-  }
-  return false;
+bool has_key(const KeyHelp& row, const std::string& key) {
+  std::istringstream keys(row.keys);
+  return std::find(std::istream_iterator<std::string>(keys), {}, key) !=
+         std::istream_iterator<std::string>();
 }
 
-}  // namespace
-
 // Keys that move the camera while it flies; the arrows have another meaning otherwise.
-bool ViewControl::flight_key(const std::string& key) const {
+bool flight_key(const std::string& key) {
   static const std::set<std::string> keys{"w", "a",    "s",  "d",    "e",
                                           "x", "left", "up", "down", "right"};
   return keys.count(key) > 0;
 }
 
+}  // namespace
+
 // What a chip of its own makes of a key.
 bool ViewControl::tile_key(const std::string& key) {
+  const auto has = [&](bool tile) {
+    return std::any_of(help(tile).begin(), help(tile).end(),
+                       [&](const KeyHelp& row) { return has_key(row, key); });
+  };
   if (key.size() == 1 && key[0] >= '0' && key[0] <= '7') {
     std::uint8_t& pins = state.uio_keys ? state.inputs->uio : state.inputs->ui;
     pins = static_cast<std::uint8_t>(pins ^ 1 << (key[0] - '0'));
@@ -122,7 +128,7 @@ bool ViewControl::tile_key(const std::string& key) {
     state.uio_keys = !state.uio_keys;
   } else if (key == "w") {
     actions_.push(ViewAction::WriteInputs);
-  } else if (is_key_of(KeyHelp::Model, key)) {
+  } else if (has(false) && !has(true)) {
     actions_.push(ViewAction::ModelOnly);
   } else {
     return false;
@@ -133,19 +139,30 @@ bool ViewControl::tile_key(const std::string& key) {
 bool ViewControl::press(const std::string& key) {
   if (state.inputs && tile_key(key)) return true;
   if (flight_key(key)) held_.insert(key);
-  if (state.flying && flight_key(key)) return true;
+  if (state.flying && flight_key(key)) {
+    tapped_.insert(key);
+    return true;
+  }
   if (const auto known = state_keys().find(key); known != state_keys().end()) {
     known->second(state);
     return true;
   }
   const auto known = action_keys().find(key);
-  if (known == action_keys().end()) return flight_key(key);
+  if (known == action_keys().end()) {
+    if (flight_key(key)) actions_.push(ViewAction::FlightHint);
+    return flight_key(key);
+  }
   if (pauses(known->second)) state.paused = true;
   actions_.push(known->second);
   return true;
 }
 
 void ViewControl::release(const std::string& key) { held_.erase(key); }
+
+void ViewControl::click(int column, int row) {
+  click_ = {column, row};
+  actions_.push(ViewAction::Explain);
+}
 
 void ViewControl::mouse(int right, int down) {
   if (!state.flying) return;
@@ -161,11 +178,22 @@ std::optional<ViewAction> ViewControl::take_action() {
 }
 
 ViewControl::Motion ViewControl::motion() const {
-  const auto held = [this](const char* plus, const char* minus) {
-    return static_cast<int>(held_.count(plus)) - static_cast<int>(held_.count(minus));
+  const auto both = [this](const char* plus, const char* minus) {
+    return held(plus) - held(minus);
   };
-  return {held("w", "s"), held("d", "a"), held("e", "x"), held("right", "left"),
-          held("down", "up")};
+  return {both("w", "s"), both("d", "a"), both("e", "x"), both("right", "left"),
+          both("down", "up")};
+}
+
+ViewControl::Motion ViewControl::take_motion() {
+  const Motion taken = motion();
+  tapped_.clear();
+  return taken;
+}
+
+bool ViewControl::steered() const {
+  const Motion m = motion();
+  return m.ahead || m.right || m.up || m.turn || m.tilt || mouse_.right || mouse_.down;
 }
 
 ViewControl::Look ViewControl::take_mouse() { return std::exchange(mouse_, {}); }

@@ -19,6 +19,7 @@ namespace racebeam {
 enum class ViewAction {
   StepFrame,
   StepLine,
+  StepTenLines,
   StepPixel,
   StepClock,
   Rewind,
@@ -27,6 +28,8 @@ enum class ViewAction {
   Screenshot,
   Record,
   Fly,
+  FlightHint,  ///< a key of the free flight, out of it
+  Explain,     ///< the pixel of clicked()
   Reload,
   WriteInputs,
   ModelOnly,  ///< a key that needs the model, of a chip that is none
@@ -62,8 +65,13 @@ class ViewControl {
   void release(const std::string& key);
   /// Pixels of the mouse, counted while flying.
   void mouse(int right, int down);
+  /// A click on a pixel of the picture: column 0..639, row 0..479.
+  void click(int column, int row);
   /// All keys are up: the window lost them.
-  void release_all() { held_.clear(); }
+  void release_all() {
+    held_.clear();
+    tapped_.clear();
+  }
 
   /// The oldest action that was not taken.
   std::optional<ViewAction> take_action();
@@ -71,12 +79,20 @@ class ViewControl {
   struct Motion {
     int ahead = 0, right = 0, up = 0, turn = 0, tilt = 0;
   };
-  Motion motion() const;
+  /// Of keys that were released since the last call, too.
+  Motion take_motion();
   struct Look {
     int right = 0, down = 0;
   };
   /// How far the mouse has moved since the last call.
   Look take_mouse();
+  /// take_motion() or take_mouse() would tell of some.
+  bool steered() const;
+  struct Pixel {
+    int column = 0, row = 0;
+  };
+  /// Where the last click was.
+  Pixel clicked() const { return click_; }
 
   ViewState state;
 
@@ -84,12 +100,14 @@ class ViewControl {
   static const std::vector<KeyHelp>& help(bool tile = false);
 
  private:
-  bool flight_key(const std::string& key) const;
   bool tile_key(const std::string& key);
+  int held(const char* key) const { return held_.count(key) + tapped_.count(key) > 0 ? 1 : 0; }
+  Motion motion() const;
 
   std::queue<ViewAction> actions_;
-  std::set<std::string> held_;
+  std::set<std::string> held_, tapped_;  // tapped: since the last take_motion()
   Look mouse_;
+  Pixel click_;
 };
 
 }  // namespace racebeam

@@ -13,7 +13,7 @@
 
 namespace racebeam {
 
-/// Paints it from column 640 on.
+/// Paints it to the right of the frame.
 void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, const ViewState& state,
                  const std::string& statistics);
 

@@ -37,11 +37,12 @@ void paint_beam(RgbImage& picture, const FrameWatch& watch) {
 }
 
 void paint_help(RgbImage& picture, bool tile) {
-  constexpr int Left = 150, Top = 66, Margin = 14, KeyLetters = 12, RowHeight = 15;
+  constexpr int Left = 110, Margin = 14, KeyLetters = 12, RowHeight = 15;
   const auto& rows = ViewControl::help(tile);
   const int height = 2 * Margin + RowHeight * static_cast<int>(rows.size());
-  picture.tint(Left, Top, VisibleColumns - 2 * Left, height, Shade, 0.88);
-  int y = Top + Margin;
+  const int top = (VisibleRows - height) / 2;
+  picture.tint(Left, top, VisibleColumns - 2 * Left, height, Shade, 0.88);
+  int y = top + Margin;
   for (const KeyHelp& row : rows) {
     picture.text(Left + Margin, y, row.keys, KeyInk);
     picture.text(Left + Margin + GlyphWidth * KeyLetters, y, row.meaning, Ink);
@@ -49,21 +50,46 @@ void paint_help(RgbImage& picture, bool tile) {
   }
 }
 
+constexpr int TextMargin = 8;
+
 // Breaks lines that are longer than the picture is wide.
-void paint_error(RgbImage& picture, const std::string& error) {
-  constexpr int Margin = 8;
-  constexpr std::size_t Letters = (VisibleColumns - 2 * Margin) / GlyphWidth;
+std::vector<std::string> broken(const std::string& text) {
+  constexpr std::size_t Letters = (VisibleColumns - 2 * TextMargin) / GlyphWidth, MostLines = 12;
   std::vector<std::string> lines;
-  std::istringstream in(error);
-  for (std::string line; std::getline(in, line) && lines.size() < 12;)
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line) && lines.size() < MostLines;)
     for (; !line.empty(); line.erase(0, Letters)) lines.push_back(line.substr(0, Letters));
-  picture.fill(0, 0, VisibleColumns, 2 * Margin + GlyphHeight * static_cast<int>(lines.size()),
-               Alarm);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    picture.text(Margin, Margin + GlyphHeight * static_cast<int>(i), lines[i], Ink);
+  return lines;
+}
+
+void paint_lines(RgbImage& picture, int top, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    picture.text(TextMargin, top, line, Ink);
+    top += GlyphHeight;
+  }
+}
+
+int height_of(const std::vector<std::string>& lines, int margin) {
+  return 2 * margin + GlyphHeight * static_cast<int>(lines.size());
+}
+
+void paint_error(RgbImage& picture, const std::string& error) {
+  const std::vector<std::string> lines = broken(error);
+  picture.fill(0, 0, VisibleColumns, height_of(lines, TextMargin), Alarm);
+  paint_lines(picture, TextMargin, lines);
 }
 
 }  // namespace
+
+void paint_message(RgbImage& picture, const std::string& message, const FrameWatch& watch) {
+  constexpr int Margin = 3;
+  const std::vector<std::string> lines = broken(message);
+  const int height = height_of(lines, Margin);
+  const bool beam_below = !watch.whole() && watch.screen().y() > FirstVisibleLine + VisibleRows / 2;
+  const int top = beam_below ? 0 : VisibleRows - height;
+  picture.tint(0, top, VisibleColumns, height, Shade, 0.8);
+  paint_lines(picture, top + Margin, lines);
+}
 
 RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
                       const ViewWords& words) {

@@ -1,7 +1,8 @@
 // The viewer's picture: the frame at the beam with what was asked for on, below and beside it.
 //
 // Nothing covers the chip's own pixels unless it is asked for: without overlays the picture is the
-// frame, 640 x 480. A map brings its bar below, gauges and statistics a panel to the right.
+// frame, 640 x 480; a message comes over it for two seconds. A map brings its bar below, gauges and
+// statistics a panel to the right.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -27,5 +28,8 @@ struct ViewWords {
 
 RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
                       const ViewWords& words);
+
+/// Writes lines over the chip's picture, far from the beam.
+void paint_message(RgbImage& picture, const std::string& message, const FrameWatch& watch);
 
 }  // namespace racebeam

@@ -39,11 +39,10 @@ std::string ViewRecorder::inputs(const std::string& text, int frame) const {
   return name;
 }
 
-void ViewRecorder::start(int frame) {
-  constexpr double FramesPerSecond = 60;
+void ViewRecorder::start(int frame, const Raster& raster) {
   gif_name_ = free_name(frame, ".gif");
   empty_ = true;
-  gif_ = std::make_unique<GifWriter>(gif_name_, VisibleColumns, VisibleRows, FramesPerSecond);
+  gif_ = std::make_unique<GifWriter>(gif_name_, raster.columns, raster.rows, Rate);
 }
 
 void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {

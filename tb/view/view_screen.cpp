@@ -31,6 +31,7 @@ int run_view(Viewer& viewer, ViewScreen& screen, const std::vector<std::string>&
     last = now;
     if (viewer.take_changed() || stale) screen.show(viewer);
     screen.play(viewer.take_sound());
+    for (const std::string& line : viewer.take_news()) screen.tell_user(line);
     const bool ready =
         !viewer.filling() && (viewer.source().watch().whole() || viewer.control.state.paused);
     if (next_key < keys.size()) {

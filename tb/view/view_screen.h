@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/console.h"
 #include "tb/view/view_control.h"
 #include "tb/view/viewer.h"
 
@@ -21,6 +22,8 @@ class ViewScreen {
   virtual void show(const Viewer& viewer) = 0;
   /// Samples at FrameSound::Rate, -1..1.
   virtual void play(const std::vector<float>&) {}
+  /// A line for stderr, as soon as that does not disturb the screen.
+  virtual void tell_user(const std::string& line) { tell(line); }
 };
 
 /// Runs the viewer at 60 pictures a second until the user quits, or until its frames are shown and

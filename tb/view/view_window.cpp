@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -13,13 +14,13 @@
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/view/frame_sound.h"
+#include "tb/view/view_layout.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int LongestQueue = FrameSound::Rate / 4;  // samples that wait to be played
-constexpr int MostScale = 3;
 
 // "keypad +" is "+" too.
 std::string key_name(const SDL_Keysym& key) {
@@ -30,25 +31,28 @@ std::string key_name(const SDL_Keysym& key) {
 
 // Keys that go on while they are held.
 bool repeats(const std::string& key) {
-  static const std::set<std::string> keys{".", "l", "k", "c", "left", "right", "=", "+", "-"};
+  static const std::set<std::string> keys{".", "l", "j", "k", "c", "left", "right", "=", "+", "-"};
   return keys.count(key) > 0;
 }
 
 class Window : public ViewScreen {
  public:
-  explicit Window(int scale) {
+  explicit Window(int scale) : wish_(scale) {
     SDL_SetMainReady();
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
-    if (unseen() && !driver_asked_for()) {
-      SDL_SetError("there is no display");
+    const bool asked_for = driver_asked_for();
+    if (!asked_for)  // an empty SDL_VIDEODRIVER too
+      SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, drivers_of_displays().c_str(),
+                              SDL_HINT_OVERRIDE);
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+      if (!asked_for) SDL_SetError("there is no display");
       fail("no window can be opened");
     }
     SDL_EnableScreenSaver();
-    scale_ = scale > 0 ? scale : best_scale();
+    own_ = scaled(picture_, scale_in(window_room(screen_at(0).size)));
     window_ = SDL_CreateWindow("racebeam", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                               VisibleColumns * scale_, VisibleRows * scale_, SDL_WINDOW_RESIZABLE);
+                               own_.width, own_.height, SDL_WINDOW_RESIZABLE);
     if (!window_) fail("no window can be opened");
     renderer_ = SDL_CreateRenderer(window_, -1, 0);
     if (!renderer_) renderer_ = SDL_CreateRenderer(window_, -1, SDL_RENDERER_SOFTWARE);
@@ -57,6 +61,7 @@ class Window : public ViewScreen {
   }
   ~Window() override {
     if (sound_) SDL_CloseAudioDevice(sound_);
+    if (larger_) SDL_DestroyTexture(larger_);
     if (texture_) SDL_DestroyTexture(texture_);
     if (renderer_) SDL_DestroyRenderer(renderer_);
     if (window_) SDL_DestroyWindow(window_);
@@ -76,29 +81,60 @@ class Window : public ViewScreen {
     throw MissingTool(std::string(what) + ": " + reason +
                       "; set DISPLAY, or watch in the terminal: racebeam view --term");
   }
-  // Without a display SDL may take a driver that draws into memory.
-  static bool unseen() {
-    const std::string driver = SDL_GetCurrentVideoDriver();
-    return driver == "offscreen" || driver == "dummy";
-  }
   static bool driver_asked_for() {
     const char* driver = std::getenv("SDL_VIDEODRIVER");
     return driver != nullptr && *driver != '\0';
   }
-  static int best_scale() {
-    SDL_Rect desk;
-    if (SDL_GetDisplayUsableBounds(0, &desk) != 0) return 1;
-    return std::clamp(std::min(desk.w * 4 / 5 / VisibleColumns, desk.h * 4 / 5 / VisibleRows), 1,
-                      MostScale);
+  // All that SDL has, but for those that draw into memory, and Wayland where it would only complain
+  // of the folder that it has not got.
+  static std::string drivers_of_displays() {
+    const char* folder = std::getenv("XDG_RUNTIME_DIR");
+    const bool wayland = folder != nullptr && *folder == '/';
+    std::string list;
+    for (int i = 0; i < SDL_GetNumVideoDrivers(); ++i) {
+      const std::string name = SDL_GetVideoDriver(i);
+      if (name == "offscreen" || name == "dummy" || name == "evdev") continue;
+      if (name == "wayland" && !wayland) continue;
+      list += (list.empty() ? "" : ",") + name;
+    }
+    return list;
+  }
+  // The part of a display that is no bar.
+  static Box screen_at(int display) {
+    SDL_Rect screen;
+    if (SDL_GetDisplayUsableBounds(display, &screen) != 0) return {0, 0, {1024, 768}};
+    return {screen.x, screen.y, {screen.w, screen.h}};
+  }
+  // As the user wished, if it fits.
+  double scale_in(Extent room) const {
+    const double fit = fit_scale(picture_, room);
+    return wish_ > 0 ? std::min(wish_, fit) : fit;
+  }
+  Extent window_size() const {
+    Extent size;
+    SDL_GetWindowSize(window_, &size.width, &size.height);
+    return size;
+  }
+  // Its size is not the window's own affair.
+  bool is_given_its_size() const {
+    return (SDL_GetWindowFlags(window_) & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED)) !=
+           0;
   }
   void open_sound();
-  void resize(const RgbImage& picture);
+  void take_picture_size(Extent size);
+  void fit_window();
+  void draw(Extent window);
+  ViewControl::Pixel pixel_at(int x, int y) const;
 
   SDL_Window* window_ = nullptr;
   SDL_Renderer* renderer_ = nullptr;
-  SDL_Texture* texture_ = nullptr;
+  SDL_Texture *texture_ = nullptr,
+              *larger_ = nullptr;  // the picture; a whole number times as large
   SDL_AudioDeviceID sound_ = 0;
-  int scale_ = 1, width_ = 0, height_ = 0;  // of the texture
+  double wish_;  // size of a pixel that the user wants; 0: as large as fits
+  Extent picture_{VisibleColumns, VisibleRows}, own_;  // own: of the window, as it was made here
+  Extent fitted_ = picture_;                           // the picture for which that was
+  Extent larger_size_;
   bool full_screen_ = false;
 };
 
@@ -123,6 +159,16 @@ bool Window::poll(ViewControl& control) {
     if (event.type == SDL_QUIT) control.press("escape");
     if (event.type == SDL_KEYUP) control.release(key_name(event.key.keysym));
     if (event.type == SDL_MOUSEMOTION) control.mouse(event.motion.xrel, event.motion.yrel);
+    if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
+      const auto [column, row] = pixel_at(event.button.x, event.button.y);
+      if (column >= 0 && column < VisibleColumns && row >= 0 && row < VisibleRows)
+        control.click(column, row);
+    }
+    if (event.type == SDL_AUDIODEVICEREMOVED && sound_ && event.adevice.which == sound_) {
+      SDL_CloseAudioDevice(sound_);
+      sound_ = 0;
+      tell("no sound: the loudspeaker is gone");
+    }
     if (event.type == SDL_WINDOWEVENT) {
       stale = true;
       if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) control.release_all();
@@ -138,32 +184,73 @@ bool Window::poll(ViewControl& control) {
   return stale;
 }
 
-// The window takes the picture's size; one that the user has made otherwise keeps its scale.
-void Window::resize(const RgbImage& picture) {
+void Window::take_picture_size(Extent size) {
   if (texture_) SDL_DestroyTexture(texture_);
   texture_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING,
-                               picture.width(), picture.height());
+                               size.width, size.height);
   if (!texture_) fail("nothing can be drawn in a window");
-  if (width_ > 0 && !full_screen_) {
-    int width = 0, height = 0;
-    SDL_GetWindowSize(window_, &width, &height);
-    SDL_SetWindowSize(window_, width * picture.width() / width_,
-                      height * picture.height() / height_);
+  picture_ = size;
+}
+
+// The window takes the picture's size, wholly on its screen. One that the user has made larger or
+// smaller keeps the size of a pixel.
+void Window::fit_window() {
+  if (const Extent now = window_size(); now != own_) wish_ = fit_scale(fitted_, now);
+  const Box screen = screen_at(std::max(SDL_GetWindowDisplayIndex(window_), 0));
+  own_ = scaled(picture_, scale_in(window_room(screen.size)));
+  fitted_ = picture_;
+  SDL_SetWindowSize(window_, own_.width, own_.height);
+  int above = 0, left = 0, below = 0, right = 0, x = 0, y = 0;
+  SDL_GetWindowBordersSize(window_, &above, &left, &below, &right);
+  SDL_GetWindowPosition(window_, &x, &y);
+  const Box whole{x - left, y - above, {own_.width + left + right, own_.height + above + below}};
+  const Box place = kept_within(whole, screen);
+  if (place.left != whole.left || place.top != whole.top)
+    SDL_SetWindowPosition(window_, place.left + left, place.top + above);
+}
+
+// Between two whole scales the next larger one is made smaller: pixels stay even, edges sharp.
+void Window::draw(Extent window) {
+  const Box box = picture_in(picture_, window);
+  const SDL_Rect place{box.left, box.top, box.size.width, box.size.height};
+  const int times = (box.size.width + picture_.width - 1) / picture_.width;
+  const Extent large = scaled(picture_, times);
+  if (box.size != large && large != larger_size_) {
+    if (larger_) SDL_DestroyTexture(larger_);
+    larger_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_TARGET,
+                                large.width, large.height);
+    if (larger_) SDL_SetTextureScaleMode(larger_, SDL_ScaleModeLinear);
+    larger_size_ = large;
   }
-  width_ = picture.width();
-  height_ = picture.height();
-  SDL_RenderSetLogicalSize(renderer_, width_, height_);
+  const bool smooth = box.size != large && larger_;
+  if (smooth) {
+    SDL_SetRenderTarget(renderer_, larger_);
+    SDL_RenderCopy(renderer_, texture_, nullptr, nullptr);
+    SDL_SetRenderTarget(renderer_, nullptr);
+  }
+  SDL_SetRenderDrawColor(renderer_, 0, 0, 0, 255);
+  SDL_RenderClear(renderer_);
+  SDL_RenderCopy(renderer_, smooth ? larger_ : texture_, nullptr, &place);
+  SDL_RenderPresent(renderer_);
 }
 
 void Window::show(const Viewer& viewer) {
-  const RgbImage picture = viewer.picture();
+  const RgbImage picture = viewer.picture_with_message();
+  const Extent size{picture.width(), picture.height()};
   SDL_SetWindowTitle(window_, viewer.title().c_str());
-  if (picture.width() != width_ || picture.height() != height_) resize(picture);
+  if (!texture_ || size != picture_) take_picture_size(size);
+  if (fitted_ != picture_ && !is_given_its_size()) fit_window();
   SDL_UpdateTexture(texture_, nullptr, picture.bytes(), 3 * picture.width());
-  SDL_SetRenderDrawColor(renderer_, 0, 0, 0, 255);
-  SDL_RenderClear(renderer_);
-  SDL_RenderCopy(renderer_, texture_, nullptr, nullptr);
-  SDL_RenderPresent(renderer_);
+  Extent window;
+  if (SDL_GetRendererOutputSize(renderer_, &window.width, &window.height) == 0) draw(window);
+}
+
+// Outside of the chip's picture too.
+ViewControl::Pixel Window::pixel_at(int x, int y) const {
+  const Box box = picture_in(picture_, window_size());
+  const double scale = static_cast<double>(box.size.width) / picture_.width;
+  return {static_cast<int>(std::floor((x - box.left) / scale)),
+          static_cast<int>(std::floor((y - box.top) / scale))};
 }
 
 void Window::play(const std::vector<float>& samples) {

@@ -85,42 +85,50 @@ void Viewer::step_pixel() {
   }
 }
 
-void Viewer::act(ViewAction action) {
+// Up to the end of lines that show something: the next visible ones, or the last of the frame.
+void Viewer::step_lines(int lines) {
   const FrameWatch& watch = stage_.source->watch();
-  const int frame = watch.frame();
-  note_.clear();
+  do {
+    const int y = watch.screen().y();
+    clocks(watch.raster().line_clocks() - watch.screen().clock_of_line());
+    if (watch.raster().visible_line(y)) --lines;
+  } while (lines > 0 && !watch.whole());
+}
+
+void Viewer::act(ViewAction action) {
+  const int frame = stage_.source->watch().frame();
   switch (action) {
-    case ViewAction::StepFrame: clocks(stage_.source->clocks_left()); break;
-    case ViewAction::StepLine:
-      clocks(watch.raster().line_clocks() - watch.screen().clock_of_line());
-      break;
-    case ViewAction::StepPixel: step_pixel(); break;
-    case ViewAction::StepClock: clocks(1); break;
-    case ViewAction::Rewind: go_to(options_.first); break;
-    case ViewAction::Back: go_to(std::max(frame - Leap, 0)); break;
-    case ViewAction::Forward: go_to(frame + Leap); break;
-    case ViewAction::Screenshot: note_ = "wrote " + recorder_.screenshot(picture(), frame); break;
-    case ViewAction::Record: toggle_recording(); break;
-    case ViewAction::Fly: toggle_flight(); break;
-    case ViewAction::Reload: take_news(watch_.read()); break;
+    case ViewAction::StepFrame: clocks(stage_.source->clocks_left()); return say(place());
+    case ViewAction::StepLine: step_lines(1); return say(place());
+    case ViewAction::StepTenLines: step_lines(10); return say(place());
+    case ViewAction::StepPixel: step_pixel(); return say(place());
+    case ViewAction::StepClock: clocks(1); return say(place());
+    case ViewAction::Rewind: go_to(options_.first); return say(place());
+    case ViewAction::Back: go_to(std::max(frame - Leap, 0)); return say(place());
+    case ViewAction::Forward: go_to(frame + Leap); return say(place());
+    case ViewAction::Screenshot:
+      return say_and_tell("wrote " + recorder_.screenshot(picture(), frame));
+    case ViewAction::Record: return toggle_recording();
+    case ViewAction::Fly: return toggle_flight();
+    case ViewAction::FlightHint: return say("that key flies, but only in a free flight: f");
+    case ViewAction::Explain: return explain();
+    case ViewAction::Reload:
+      if (options_.scene_file.empty()) return say("the built-in demo has no file to load again");
+      return take_scene(watch_.read());
     case ViewAction::WriteInputs:
-      note_ = "wrote " + recorder_.inputs(stage_.source->inputs_text(), frame);
-      break;
+      return say_and_tell("wrote " + recorder_.inputs(stage_.source->inputs_text(), frame));
     case ViewAction::ModelOnly:
-      note_ = "maps, intervals, gauges, flight and scene files are of the model only";
-      break;
-    case ViewAction::Quit: quit_ = true; break;
+      return say("maps, intervals, gauges, flight and scene files are of the model only");
+    case ViewAction::Quit: quit_ = true; return;
   }
 }
 
 // A GIF begins with the frame on show.
 void Viewer::toggle_recording() {
   const FrameWatch& watch = stage_.source->watch();
-  if (recorder_.recording()) {
-    note_ = recorder_.stop();
-    return;
-  }
-  recorder_.start(watch.frame());
+  if (recorder_.recording()) return say_and_tell(recorder_.stop());
+  recorder_.start(watch.frame(), watch.raster());
+  say("recording " + recorder_.gif_name() + "; v: stop");
   if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
 }
 
@@ -132,7 +140,7 @@ void Viewer::set_stage(Stage stage, int frame) {
   go_to(std::min(frame, stage_.show.frames() - 1));
 }
 
-void Viewer::take_news(SceneWatch::News news) {
+void Viewer::take_scene(SceneWatch::News news) {
   changed_ = true;
   error_ = news.error;
   if (!news.show) return;
@@ -140,8 +148,8 @@ void Viewer::take_news(SceneWatch::News news) {
     const bool flying = flight_.has_value();
     const int frame = flying ? flight_frame_ : stage_.source->watch().frame();
     set_stage(options_.restage(*news.show), frame);
-    note_ = "the scene file was loaded again";
     if (flying) toggle_flight();
+    say("the scene file was loaded again");
   } catch (const UsageError& error) {
     error_ = error.what();
   }
@@ -151,7 +159,7 @@ void Viewer::look_for_news(double elapsed) {
   since_news_ += elapsed;
   if (since_news_ < NewsInterval) return;
   since_news_ = 0;
-  if (auto news = watch_.look()) take_news(std::move(*news));
+  if (auto news = watch_.look()) take_scene(std::move(*news));
 }
 
 // The pin is clocked by the beam: other clocks a pixel would make other tones.
@@ -161,11 +169,7 @@ bool Viewer::audible() const {
          stage_.k.clocks_per_pixel == chip.clocks_per_pixel && stage_.k.speed == chip.speed;
 }
 
-// The last of so many frames; the sound of all.
-void Viewer::show_frames(int frames) {
-  finish_frame();
-  if (!flight_ && frames > 1)
-    stage_.source->seek((next_frame() + frames - 1) % stage_.show.frames());
+void Viewer::play_frames(int frames) {
   if (audible())
     for (int i = 0; i < std::min(frames, MostSound); ++i) {
       const std::vector<float> more =
@@ -173,6 +177,14 @@ void Viewer::show_frames(int frames) {
       samples_.insert(samples_.end(), more.begin(), more.end());
     }
   sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();
+}
+
+// The last of so many frames; the sound of all.
+void Viewer::show_frames(int frames) {
+  finish_frame();
+  if (!flight_ && frames > 1)
+    stage_.source->seek((next_frame() + frames - 1) % stage_.show.frames());
+  play_frames(frames);
   passed_ = frames;
   clocks(stage_.source->clocks_left());
 }
@@ -198,10 +210,12 @@ void Viewer::run(double elapsed, const std::function<bool()>& in_time) {
 
 void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   since_frame_ += elapsed;
-  flight_time_ += elapsed;
+  flight_time_ = control.steered() ? flight_time_ + elapsed : 0;
+  age_message(elapsed);
   look_for_news(elapsed);
   press_inputs();
-  bool new_picture = fill_;  // to be seen before it runs on
+  bool acted = false;
+  const bool filled = fill_;
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
   while (fill_ && !stage_.source->fast()) {
     clocks(Slice);
@@ -209,18 +223,16 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   }
   while (const auto action = control.take_action()) {
     act(*action);
-    new_picture = changed_ = true;
+    acted = changed_ = true;
   }
+  say_changes(acted);
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
-  if (!new_picture && !control.state.paused && !finished()) run(elapsed, in_time);
+  // A new picture is seen before it runs on.
+  if (!filled && !acted && !finished()) {
+    if (!control.state.paused) run(elapsed, in_time);
+    else if (flight_ && control.steered()) fly_while_paused(elapsed);
+  }
   if (!fill_) control.state.inputs = stage_.source->inputs();
-}
-
-RgbImage Viewer::picture() const {
-  const int frame = stage_.source->watch().frame();
-  ViewWords words{fmt::format("{} frame {}", stage_.show.name(), frame), "", error_};
-  if (control.state.text) words.statistics = statistics();
-  return view_picture(stage_.source->watch(), stage_.k, control.state, words);
 }
 
 std::vector<float> Viewer::take_sound() {

@@ -38,6 +38,8 @@ class Viewer {
     std::optional<int> frames;  ///< stop after so many, and leave out none
     std::string scene_file;     ///< is loaded again when it changes; empty: the built-in demo
     std::string folder = ".";   ///< for screenshots and GIFs
+    /// "explain demo --set knob=value": the command that explains a pixel; empty: there is none.
+    std::string explain;
     /// Makes the stage for a scene file that has changed. Throws UsageError if that cannot be.
     std::function<Stage(const Show&)> restage;
     /// The built-in demo as a scene file, in which the camera can leave its path. Throws
@@ -53,7 +55,10 @@ class Viewer {
   /// source that is not fast goes on until `in_time` says no. Throws SyncError.
   void tick(double elapsed, const std::function<bool()>& in_time);
 
+  /// What a screenshot has.
   RgbImage picture() const;
+  /// The same with the message over it, if there is one.
+  RgbImage picture_with_message() const;
   std::string title() const;
   /// For screens that cannot show small letters: the picture with borders, beam and map only, and
   /// what else would be on it or beside it as lines.
@@ -61,6 +66,11 @@ class Viewer {
   std::vector<std::string> words() const;
   /// Samples at FrameSound::Rate of the frames since the last call.
   std::vector<float> take_sound();
+  /// Says something over the picture for two seconds.
+  void say(const std::string& message);
+  const std::string& message() const { return message_; }
+  /// What happened beyond the screen since the last call, for stderr: files, commands.
+  std::vector<std::string> take_news() { return std::exchange(news_, {}); }
   /// Ends what is being recorded. Returns what was written, or nothing. Throws OutputError.
   std::string end();
   /// It goes to a frame that is not whole yet.
@@ -80,18 +90,26 @@ class Viewer {
  private:
   void act(ViewAction action);
   void press_inputs();
+  void say_changes(bool acted);
+  void say_and_tell(const std::string& message);
+  void age_message(double elapsed);
+  void explain();
   void look_for_news(double elapsed);
-  void take_news(SceneWatch::News news);
+  void take_scene(SceneWatch::News news);
   void set_stage(Stage stage, int frame);
   void go_to(int frame);
   int next_frame() const;
   void run(double elapsed, const std::function<bool()>& in_time);
   void show_frames(int frames);
+  void play_frames(int frames);
   bool audible() const;
   int clocks(int count);
   void finish_frame();
   void step_pixel();
+  void step_lines(int lines);
+  bool drawn(ViewControl::Pixel pixel) const;
   void toggle_flight();
+  void fly_while_paused(double elapsed);
   void toggle_recording();
   void steer();
   std::string statistics() const;
@@ -115,7 +133,10 @@ class Viewer {
   int passed_ = 1;    // frames of the show from the last whole frame to the next one
   bool fill_ = true;  // show the frame to its end, even when paused
   bool changed_ = true, quit_ = false;
-  std::string error_, note_;
+  std::string error_, message_;
+  double message_left_ = 0;          // seconds
+  std::optional<ViewState> before_;  // the state at the last tick
+  std::vector<std::string> news_;
 };
 
 }  // namespace racebeam

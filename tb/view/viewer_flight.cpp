@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tb/errors.h"
@@ -29,24 +30,29 @@ void Viewer::toggle_flight() {
   try {
     if (!stage_.show.scene()) set_stage(options_.restage(options_.demo_file()), frame);
   } catch (const UsageError& error) {
-    note_ = error.what();
-    return;
+    return say(error.what());
   }
-  if (!stage_.source->can_fly()) {
-    note_ = fmt::format("no free flight at the level {}", stage_.source->level());
-    return;
-  }
+  if (!stage_.source->can_fly())
+    return say(fmt::format("no free flight at the level {}", stage_.source->level()));
   flight_frame_ = frame;
   flight_.emplace(*stage_.show.scene(), stage_.show.path()->points[frame],
                   stage_.show.golden_camera(frame).view(0));
   control.state.flying = true;
   fill_ = true;
+  say("free flight: w a s d, e x, arrows, mouse; f: back to the path");
+}
+
+// The pause holds the clock, not the camera: whole frames, each from where it is.
+void Viewer::fly_while_paused(double elapsed) {
+  finish_frame();
+  passed_ = std::max(static_cast<int>(std::lround(elapsed * ViewRecorder::Rate)), 1);
+  clocks(stage_.source->clocks_left());
 }
 
 // By what the keys and the mouse have asked for since the last frame.
 void Viewer::steer() {
   const double seconds = std::min(std::exchange(flight_time_, 0), LongestStride);
-  const auto motion = control.motion();
+  const auto motion = control.take_motion();
   const auto look = control.take_mouse();
   flight_->turn(motion.turn * TurnSpeed * seconds + look.right * MouseTurn,
                 motion.tilt * TurnSpeed * seconds + look.down * MouseTurn);

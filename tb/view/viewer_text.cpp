@@ -7,22 +7,64 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 
+#include "tb/counted.h"
 #include "tb/view/viewer.h"
 
 namespace racebeam {
 
+namespace {
+
+constexpr double MessageSeconds = 2;
+
+std::string pace(int speed) {
+  return speed < 0 ? fmt::format("1/{}", 1 << -speed) : std::to_string(1 << speed);
+}
+
+}  // namespace
+
+void Viewer::say(const std::string& message) {
+  message_ = message;
+  message_left_ = MessageSeconds;
+  changed_ = true;
+}
+
+void Viewer::say_and_tell(const std::string& message) {
+  say(message);
+  news_.push_back(message);
+}
+
+void Viewer::age_message(double elapsed) {
+  message_left_ -= elapsed;
+  if (message_.empty() || message_left_ > 0) return;
+  message_.clear();
+  changed_ = true;
+}
+
+// What keys have changed that the picture itself does not show. A step tells where it has come.
+void Viewer::say_changes(bool acted) {
+  const ViewState& now = control.state;
+  const ViewState before = std::exchange(before_, now).value_or(now);
+  if (now.paused && !before.paused && !acted) say("paused");
+  if (now.speed != before.speed) say("speed " + pace(now.speed) + " x");
+  if (now.muted == before.muted) return;
+  say(now.muted ? "sound off" : now.speed == 0 ? "sound on" : "sound on, heard at speed 1 x only");
+}
+
+// Where the beam stands, by itself.
 std::string Viewer::place() const {
-  const BeamScreen& screen = stage_.source->watch().screen();
-  if (stage_.source->watch().whole()) return "end of frame";
-  return fmt::format("line {} : {}", screen.y(), screen.clock_of_line());
+  const FrameWatch& watch = stage_.source->watch();
+  if (fill_) return fmt::format("frame {}", sound_frame_);
+  if (watch.whole()) return fmt::format("frame {}", watch.frame());
+  const int y = watch.screen().y(), clock = watch.screen().clock_of_line();
+  return fmt::format("line {}{}, clock {}", y,
+                     watch.raster().visible_line(y) ? "" : ", not visible", clock);
 }
 
 std::string Viewer::statistics() const {
   const FrameWatch& watch = stage_.source->watch();
-  const int frame = watch.frame(), speed = control.state.speed;
-  const std::string pace =
-      speed < 0 ? fmt::format("1/{}", 1 << -speed) : std::to_string(1 << speed);
+  const int frame = watch.frame();
   std::string text = fmt::format("{:.32}\n", stage_.show.name());
   const auto row = [&](const char* name, const std::string& value) {
     text += fmt::format("{:<14}{:>18.18}\n", name, value);
@@ -31,9 +73,11 @@ std::string Viewer::statistics() const {
                                     : fmt::format("{} of {}", frame, stage_.show.frames()));
   if (!control.state.inputs) row("part", stage_.show.part(frame));
   row("level", stage_.source->level());
-  row("speed", control.state.paused ? "paused" : pace + " x");
+  row("speed", control.state.paused ? "paused" : pace(control.state.speed) + " x");
   row("frames/s", control.state.paused ? "-" : fmt::format("{:.1f}", rate_));
-  row("beam", place());
+  const BeamScreen& screen = watch.screen();
+  row("beam", watch.whole() ? "end of frame"
+                            : fmt::format("line {} : {}", screen.y(), screen.clock_of_line()));
   text += "\n";
   for (const auto& [name, value] : stage_.source->rows())
     if (name.empty()) text += "\n";
@@ -48,10 +92,25 @@ std::string Viewer::statistics() const {
   return text;
 }
 
+RgbImage Viewer::picture() const {
+  const int frame = stage_.source->watch().frame();
+  ViewWords words{fmt::format("{} frame {}", stage_.show.name(), frame), "", error_};
+  if (control.state.text) words.statistics = statistics();
+  return view_picture(stage_.source->watch(), stage_.k, control.state, words);
+}
+
+RgbImage Viewer::picture_with_message() const {
+  RgbImage image = picture();
+  if (!message_.empty()) paint_message(image, message_, stage_.source->watch());
+  return image;
+}
+
 RgbImage Viewer::bare_picture() const {
   ViewState bare = control.state;
   bare.gauges = bare.text = bare.help = false;
-  return view_picture(stage_.source->watch(), stage_.k, bare, {});
+  const Raster& raster = stage_.source->watch().raster();
+  const RgbImage image = view_picture(stage_.source->watch(), stage_.k, bare, {});
+  return image.top(raster.columns, raster.rows);
 }
 
 std::vector<std::string> Viewer::words() const {
@@ -66,6 +125,35 @@ std::vector<std::string> Viewer::words() const {
   return lines;
 }
 
+// The beam has come there in the frame on show.
+bool Viewer::drawn(ViewControl::Pixel pixel) const {
+  const FrameWatch& watch = stage_.source->watch();
+  if (watch.whole()) return true;
+  const int row = watch.screen().y() - FirstVisibleLine;
+  if (pixel.row != row) return pixel.row < row;
+  return pixel.column < watch.raster().column_at[watch.screen().clock_of_line()];
+}
+
+// Names the command that explains the clicked pixel, and the interval that showed it.
+void Viewer::explain() {
+  const auto [column, row] = control.clicked();
+  const FrameWatch& watch = stage_.source->watch();
+  if (options_.explain.empty()) return say("no pixel of this chip can be explained");
+  if (flight_) return say("a free flight cannot be explained; f: back to the path");
+  if (!drawn({column, row}))
+    return say(fmt::format("pixel {},{}: the beam has not come there yet", column, row));
+  const std::string command = fmt::format("racebeam {} --frame {} --pixel {},{}", options_.explain,
+                                          watch.frame(), column, row);
+  news_.push_back("to know why: " + command);
+  std::string text = command;
+  for (const IntervalEvent& event : watch.intervals())
+    if (event.y == row + FirstVisibleLine && event.from < column && column <= event.to + 1)
+      text += fmt::format("\npixels {}..{}: {} {} deep, {}", event.from, event.to,
+                          counted(event.depth, "room"), event.wall ? "to a wall" : "given up",
+                          counted(event.decisions, "decision"));
+  say(text);
+}
+
 std::string Viewer::title() const {
   const int frame = stage_.source->watch().frame();
   std::string title =
@@ -76,7 +164,7 @@ std::string Viewer::title() const {
   if (flight_) title += " - free flight";
   if (control.state.paused) title += " - paused";
   if (recorder_.recording()) title += " - recording";
-  if (!note_.empty()) title += " - " + note_;
+  if (!message_.empty()) title += " - " + message_.substr(0, message_.find('\n'));
   return title;
 }
 
