@@ -17,7 +17,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr double LongestSearch = 0.1;             // s: six frames of 60 Hz
 constexpr std::uint64_t LeastSearch = 6'000'000;  // clocks
 constexpr double LongestSearch = 0.1;             // s: six frames of 60 Hz
 constexpr int MaxSpeed = 7;                       // pins
