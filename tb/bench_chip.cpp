@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/bench_chip.h"
 
+#include <iterator>
 #include <memory>
 
 #include "tb/bench_process.h"
@@ -85,6 +86,8 @@ void register_parts(const BenchOptions& options) {
   for (const auto& part : part_rows)
     register_frames(std::string("signal: ") + part.name, bench, part.first_frame, options);
 }
+
+int part_count() { return static_cast<int>(std::size(part_rows)); }
 
 void register_tlm_parts(const BenchOptions& options) {
   const auto bench = std::make_shared<TlmBench>(TlmBench::Options{});

@@ -17,6 +17,7 @@ void register_kernel(int repeats);
 
 /// All models, in each part of the demo: rows "signal: PART".
 void register_parts(const BenchOptions& options);
+int part_count();
 
 /// The transaction-level chip: rows "tlm: PART", and "tlm: all over the demo", frames evenly
 /// spread.
@@ -28,6 +29,7 @@ void register_verilated(int repeats);
 /// All models in a busy frame: rows "trace: ..." for what the flight recorder, waveforms and a
 /// condition cost.
 void register_traces(const BenchOptions& options);
+constexpr int TraceRows = 5;
 
 /// A chip of models and RTL.
 struct ChipMix {

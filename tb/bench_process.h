@@ -14,8 +14,9 @@ namespace racebeam {
 /// One iteration, `repeats` times, in real time.
 benchmark::internal::Benchmark* set_up(benchmark::internal::Benchmark* b, int repeats);
 
-/// Runs what `prepare` registers and returns Google Benchmark's rows. Throws std::runtime_error
-/// with what an exception in the child said.
-nlohmann::json run_apart(const std::function<void()>& prepare);
+/// Runs what `prepare` registers and returns Google Benchmark's rows. `row_done` is called in the
+/// child after each of them. Throws std::runtime_error with what an exception in the child said.
+nlohmann::json run_apart(const std::function<void()>& prepare,
+                         const std::function<void()>& row_done);
 
 }  // namespace racebeam

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "sc/camera_unit.h"
 #include "sc/decision_datapath.h"
@@ -25,6 +26,7 @@
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/nearest.h"
+#include "tb/progress.h"
 #include "tb/unit_bench.h"
 
 namespace racebeam {
@@ -118,14 +120,35 @@ constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
 constexpr double RealTime = 2 * PixelClockHz;  // clocks a second of the chip
 
-/// The chip at three levels. Returns what is known of the slowest part at the level tlm.
-Json run_levels(const BenchOptions& options, Json& all) {
-  collect(run_apart([&] { register_parts(options); }), options.json, all);
-  const auto beside_signal = [&](const std::string& name, double) {
-    return rate_of(all, Signal + name.substr(std::string(Tlm).size()));
-  };
-  collect(run_apart([&] { register_tlm_parts(options); }), options.json, all, beside_signal);
-  collect(run_apart([&] { register_verilated(options.repeats); }), options.json, all);
+/// Benchmarks that run in a process of their own, and how many rows they have.
+struct Group {
+  int rows;
+  std::function<void()> prepare;
+  Base base;
+};
+
+/// Runs groups one after the other, with a bar over all of them.
+class GroupRuns {
+ public:
+  GroupRuns(int rows, bool json, Json& all) : progress_(rows, "rows"), json_(json), all_(all) {}
+
+  void run(const Group& group) {
+    int done = done_;  // in the child
+    progress_.draw(done, 0);
+    const Json rows = run_apart(group.prepare, [&] { progress_.draw(++done, 0); });
+    progress_.clear();
+    collect(rows, json_, all_, group.base);
+    done_ += group.rows;
+  }
+
+ private:
+  Progress progress_;
+  const bool json_;
+  Json& all_;
+  int done_ = 0;
+};
+/// What is known of the slowest part at the level tlm.
+Json slowest_tlm(const Json& all) {
   Json worst;
   for (const auto& row : all) {
     const std::string name = row.at("name");
@@ -164,21 +187,43 @@ int command_bench(const BenchOptions& options) {
            std::find(options.rows.begin(), options.rows.end(), name) != options.rows.end();
   };
 
-  Json all = Json::array(), worst;
+  Json all = Json::array();
+  std::vector<Group> groups;
+  const auto add = [&](int rows, std::function<void()> prepare, Base base = {}) {
+    groups.push_back({rows, std::move(prepare), std::move(base)});
+  };
   if (wanted(Levels)) {
-    collect(run_apart([&] { register_kernel(options.repeats); }), options.json, all);
-    worst = run_levels(options, all);
+    add(1, [&] { register_kernel(options.repeats); });
+    add(part_count(), [&] { register_parts(options); });
+    add(
+        part_count() + 1, [&] { register_tlm_parts(options); },
+        [&all](const std::string& name, double) {
+          return rate_of(all, Signal + name.substr(std::string(Tlm).size()));
+        });
+    add(1, [&] { register_verilated(options.repeats); });
+  }
+  const std::size_t levels = groups.size();
+  if (wanted(Traces))
+    add(
+        TraceRows, [&] { register_traces(options); }, beside_first());
+  const Base beside_models = beside_first();
+  if (wanted(Mixes))
+    for (const ChipMix& mix : chip_mixes())
+      add(
+          1, [&options, mix] { register_mix(mix, options); }, beside_models);
+  for (const auto& row : unit_rows)
+    if (wanted(row.name)) add(1, [&] { register_unit(row, options.repeats); });
+
+  int rows = 0;
+  for (const Group& group : groups) rows += group.rows;
+  GroupRuns runs(rows, options.json, all);
+  Json worst;
+  for (std::size_t n = 0; n < groups.size(); ++n) {
+    runs.run(groups[n]);
+    if (n + 1 != levels) continue;
+    worst = slowest_tlm(all);
     if (!options.json) print(verdict(worst));
   }
-  if (wanted(Traces))
-    collect(run_apart([&] { register_traces(options); }), options.json, all, beside_first());
-  const Base beside_models = beside_first();
-  for (const ChipMix& mix : chip_mixes())
-    if (wanted(Mixes))
-      collect(run_apart([&] { register_mix(mix, options); }), options.json, all, beside_models);
-  for (const auto& row : unit_rows)
-    if (wanted(row.name))
-      collect(run_apart([&] { register_unit(row, options.repeats); }), options.json, all);
   if (options.json) {
     Json report{{"schema", "racebeam-bench"},
                 {"version", 1},

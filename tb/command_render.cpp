@@ -22,6 +22,7 @@
 #include "tb/sound_track.h"
 #include "tb/stats_json.h"
 #include "tb/stats_table.h"
+#include "tb/trace/difference_wave.h"
 
 namespace racebeam {
 
@@ -69,9 +70,11 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
         fmt::format("racebeam render {} --first {}{}", plan.scene, place.frame, rest);
     const std::string closer = trace_command(plan.scene, place.frame, unit->unit(), rest);
     const std::string window =
-        plan.folder.empty() ? "" : save_window(*unit->first(), "chip", plan.k, plan.folder);
-    tell(explain(*unit->first(),
-                 {"in " + place_text(place, raster), repeat, closer, window, plan.k}));
+        plan.folder.empty()
+            ? ""
+            : save_chip_window(*unit->first(), {plan.show, raster, rendered}, plan.k, plan.folder);
+    tell_difference(explain(*unit->first(),
+                            {"in " + place_text(place, raster), repeat, closer, window, plan.k}));
   }
   return differs;
 }

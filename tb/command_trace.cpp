@@ -11,6 +11,7 @@
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/open_show.h"
+#include "tb/progress.h"
 #include "tb/set_knob.h"
 #include "tb/trace/clocked_waves.h"
 #include "tb/trace/diff_report.h"
@@ -41,13 +42,22 @@ int draw(const TraceOptions& options) {
   return draw_waveform(options.scene, options.picture, options.selection());
 }
 
-/// The window that the command line says, or that the cores alone can find.
-TraceWindow window_of(const TraceOptions& options, const TraceWindowReader& reader,
-                      const SignalBench::Options& setting, const Raster& raster) {
+/// The window that the command line says, or that the cores alone can find; none if the user stops
+/// them.
+std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWindowReader& reader,
+                                     const SignalBench::Options& setting, const Raster& raster) {
   if (!options.searches()) return reader.window(options.from, options.to);
   const TraceWindow where = options.searched(reader);
-  const std::optional<TracePoint> found =
-      find_trigger(options.around, where, setting.k, raster, setting.program);
+  const std::int64_t begin = TracePoint{where.from.frame, FirstLine, 0}.ordinal(raster);
+  const int line = raster.line_clocks();
+  Progress progress((where.to.ordinal(raster) - begin) / line + 1, "lines");
+  const std::optional<TracePoint> found = find_trigger(
+      options.around, where, setting.k, raster, setting.program, [&](std::int64_t clocks) {
+        progress.draw(clocks / line, static_cast<std::uint64_t>(clocks));
+        return !interrupted();
+      });
+  progress.clear();
+  if (interrupted()) return std::nullopt;
   if (!found) throw options.nothing_found(where);
   tell(fmt::format("{}: frame {}, line {}, clock {}", options.around, found->frame, found->line,
                    found->clock));
@@ -102,16 +112,20 @@ int command_trace(const TraceOptions& options) {
   if (const std::string why = show.objection(setting.k); !why.empty()) throw UsageError(why);
   setting.program = show.program();
   const Raster raster(setting.k.clocks_per_pixel, setting.k.speed);
+  const TraceWindowReader reader(show.frames(), raster);
+  reader.check(options.from, options.to);
   options.check(raster);
 
-  const TraceWindowReader reader(show.frames(), raster);
   const WindowWriter writer{show.name(), [&](int frame) { return show.part(frame); },
                             options.output, options.picture, options.selection()};
+  catch_interrupts();
   std::optional<TraceWindow> window;
-  if (!options.watches()) window = window_of(options, reader, setting, raster);
+  if (!options.watches()) {
+    window = window_of(options, reader, setting, raster);
+    if (!window) return ExitInterrupted;
+  }
   if (window && !options.picture.empty())
     check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
-  catch_interrupts();
   if (options.transactions())
     return writer.write_transactions(setting.k, setting.program, raster, *window);
 

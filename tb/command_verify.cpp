@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "tb/console.h"
@@ -17,6 +18,7 @@
 #include "tb/progress.h"
 #include "tb/set_knob.h"
 #include "tb/signal_bench.h"
+#include "tb/trace/difference_wave.h"
 #include "tb/use_option.h"
 #include "tb/verify_report.h"
 #include "tb/verify_unit.h"
@@ -91,10 +93,10 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
                         unit->fault().value_or("")};
     if (const auto& d = unit->first()) {
       const BeamPlace place = place_of(d->clock, frames, raster);
-      const DifferenceContext context{"in " + place_text(place, raster),
-                                      repeat_text(options, unit->unit(), options.frames, 0),
-                                      closer_text(options, unit->unit(), place.frame),
-                                      save_window(*d, verdict.traffic, k, options.folder), k};
+      const DifferenceContext context{
+          "in " + place_text(place, raster), repeat_text(options, unit->unit(), options.frames, 0),
+          closer_text(options, unit->unit(), place.frame),
+          save_chip_window(*d, {show, raster, frames}, k, options.folder), k};
       verdict.first =
           FirstDifference{d->port, d->clock, d->expected, d->got, place, explain(*d, context)};
     }
@@ -105,14 +107,14 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
 
 /// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
 UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
-                         std::uint64_t clocks) {
+                         std::uint64_t clocks, const std::function<void(std::uint64_t)>& compared) {
   std::string text;
   try {
     text = forked([&] {
       try {
         return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
                                    options.folder,
-                                   repeat_text(options, dut.unit, 0, options.random)))
+                                   repeat_text(options, dut.unit, 0, options.random), compared))
             .dump();
       } catch (const RtlError& error) {
         return Json{{"refused", error.what()}}.dump();
@@ -131,15 +133,27 @@ UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut,
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knobs& k, const unit_choices& choices) {
   std::vector<UnitVerdict> verdicts;
+  std::uint64_t all = 0, done = 0;  // clocks
+  for (const auto& [unit, choice] : choices.by_unit)
+    if (unit != WholeChip) all += walk_clocks(unit) + static_cast<std::uint64_t>(options.random);
+  Progress progress(static_cast<std::int64_t>(all), "clocks of units alone");
+  const auto verify = [&](const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks) {
+    const auto draw = [&](std::uint64_t compared) {
+      progress.draw(static_cast<std::int64_t>(done + compared), done + compared, dut.unit);
+    };
+    draw(0);
+    verdicts.push_back(verify_alone(options, dut, stimulus, clocks, draw));
+    progress.clear();
+    done += clocks;
+  };
   for (const auto& [unit, choice] : choices.by_unit) {
     if (unit == WholeChip) continue;  // the whole chip has its own traffic only
     const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
     try {
       if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
-        verdicts.push_back(verify_alone(options, dut, Stimulus::Walk, clocks));
+        verify(dut, Stimulus::Walk, clocks);
       if (interrupted()) break;
-      verdicts.push_back(
-          verify_alone(options, dut, Stimulus::Random, static_cast<std::uint64_t>(options.random)));
+      verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
     } catch (const Interrupted&) {
       break;
     }
@@ -186,7 +200,7 @@ int command_verify(const VerifyOptions& options) {
     print(verdict_table(verdicts));
   }
   for (const UnitVerdict& verdict : verdicts) {
-    if (verdict.first) tell(verdict.first->text);
+    if (verdict.first) tell_difference(verdict.first->text);
     if (!verdict.fault.empty()) tell(verdict.unit + ": " + verdict.fault);
   }
   if (interrupted()) return ExitInterrupted;

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 
 #include "tb/output_file.h"
 
@@ -47,6 +48,16 @@ void print(std::string_view text) {
 
 void tell(std::string_view text) {
   std::fprintf(stderr, "racebeam: %.*s\n", static_cast<int>(text.size()), text.data());
+}
+
+bool on_terminal() {
+  const char* term = std::getenv("TERM");
+  return isatty(STDERR_FILENO) && term && std::string_view(term) != "dumb";
+}
+
+bool in_colours() {
+  const char* plain = std::getenv("NO_COLOR");
+  return on_terminal() && (!plain || std::string_view(plain).empty());
 }
 
 }  // namespace racebeam

@@ -24,4 +24,9 @@ void print(std::string_view text);
 /// One line for the user, on stderr, after "racebeam: ".
 void tell(std::string_view text);
 
+/// stderr is a terminal that can move its cursor.
+bool on_terminal();
+/// And wants colours: the environment has no NO_COLOR.
+bool in_colours();
+
 }  // namespace racebeam

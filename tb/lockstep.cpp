@@ -3,11 +3,7 @@
 #include "tb/lockstep.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
-
-#include "sc/unit_choices.h"
-#include "tb/trace/vcd_writer.h"
 
 namespace racebeam {
 
@@ -66,7 +62,6 @@ void Lockstep::compare() {
 }
 
 void Lockstep::remember() {
-  if (first_) return;
   std::vector<int>& row = history_[clocks_ % history_.size()];
   row.resize(rtl_.inputs().size() + 2 * rtl_.outputs().size());
   int* to = row.data();
@@ -75,12 +70,14 @@ void Lockstep::remember() {
     *to++ = out.wire.value();
     *to++ = out.rtl.read();
   }
+  if (first_ && !first_->whole()) first_->history.push_back(row);
 }
 
 LockstepDifference Lockstep::difference(std::size_t output, int expected, int got) const {
   LockstepDifference d;
   d.unit = unit_;
   d.port = rtl_.outputs()[output].rtl.name();
+  d.output = static_cast<int>(output);
   d.expected = expected;
   d.got = got;
   d.clock = clocks_;
@@ -91,6 +88,7 @@ LockstepDifference Lockstep::difference(std::size_t output, int expected, int go
       d.columns.push_back({out.rtl.name(), side, out.rtl.bits()});
   if (wiring_) d.wiring = wiring_->text();
   const std::uint64_t first = clocks_ < history_.size() ? 0 : clocks_ - history_.size() + 1;
+  d.before = static_cast<std::size_t>(clocks_ - first);
   for (std::uint64_t clock = first; clock <= clocks_; ++clock)
     d.history.push_back(history_[clock % history_.size()]);
   return d;
@@ -113,51 +111,6 @@ void Lockstep::invert(const std::string& port, int bit, std::uint64_t clock) {
   if (at == outputs.end()) throw RtlError("the RTL has no output " + port);
   first_.reset();
   inversion_ = {static_cast<std::size_t>(at - outputs.begin()), bit, clock};
-}
-
-std::string LockstepDifference::text() const {
-  const auto label = [](const Column& column) {
-    return column.port + (column.side == Model ? " model" : column.side == Rtl ? " rtl" : "");
-  };
-  std::string text;
-  std::size_t width = 0;
-  for (const Column& column : columns) width = std::max(width, label(column).size());
-  const std::size_t from = history.size() > Shown ? history.size() - Shown : 0;
-  for (std::size_t n = 0; n < columns.size(); ++n) {
-    const std::string name = label(columns[n]);
-    text += "  " + name + std::string(width - name.size(), ' ');
-    for (std::size_t clock = from; clock < history.size(); ++clock) {
-      char number[16];
-      std::snprintf(number, sizeof number, " %5x", static_cast<unsigned>(history[clock][n]));
-      text += number;
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-// What the model and the chip around it have lies in `chip`, what the RTL has in `rtl`.
-std::string LockstepDifference::vcd(int period) const {
-  VcdWriter vcd;
-  const std::string place = unit == "racebeam_top" ? "" : "." + instance_of(unit);
-  const int clk = vcd.add("chip", "clk_i", 1), count = vcd.add("chip", "clock", 64);
-  const int differs = vcd.add("rtl", "differs", 1);
-  std::vector<int> signals;
-  for (const Column& column : columns)
-    signals.push_back(
-        vcd.add((column.side == Rtl ? "rtl" : "chip") + place, column.port, column.bits));
-  const std::uint64_t first = clock + 1 - history.size(), step = static_cast<std::uint64_t>(period);
-  for (std::size_t n = 0; n < history.size(); ++n) {
-    const std::uint64_t at = n * step;
-    vcd.change(at, clk, 1);
-    vcd.change(at, count, first + n);
-    vcd.change(at, differs, n + 1 == history.size());
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      vcd.change(at, signals[c], static_cast<std::uint64_t>(history[n][c]));
-    vcd.change(at + step / 2, clk, 0);
-  }
-  return vcd.text("racebeam: the clocks before the first difference of " + unit,
-                  history.size() * step);
 }
 
 }  // namespace racebeam

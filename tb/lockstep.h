@@ -16,10 +16,10 @@
 
 namespace racebeam {
 
-/// The first output that differed, and what led there.
+/// The first output that differed, what led there, and how it went on.
 struct LockstepDifference {
-  static constexpr int Window = 256;  ///< clocks of history, the last one is that of the difference
-  static constexpr int Shown = 16;    ///< of them in the text
+  static constexpr int Before = 255;  ///< clocks of history before it, at most
+  static constexpr int After = 64;    ///< and after it, if the run goes on
 
   enum Side { Input, Model, Rtl };
   struct Column {
@@ -29,16 +29,17 @@ struct LockstepDifference {
   };
 
   std::string unit, port;
+  int output = 0;             ///< number of the port among the outputs
   int expected = 0, got = 0;  ///< raw bits of the model and of the RTL
   std::uint64_t clock = 0;    ///< compared clocks before it
   std::vector<Column> columns;
   std::vector<std::vector<int>> history;  ///< by clock, and column
+  std::size_t before = 0;                 ///< rows of it before that of the difference
   std::string wiring;                     ///< of racebeam_top only: what its units say
 
-  /// A table of the last clocks for a message.
-  std::string text() const;
-  /// The whole window as a value change dump, `period` picoseconds a clock.
-  std::string vcd(int period) const;
+  std::uint64_t first_clock() const { return clock - before; }  ///< of the history
+  /// What follows the difference is known as far as it ever will be.
+  bool whole() const { return history.size() == before + 1 + After; }
 };
 
 class Lockstep : public sc_core::sc_module, public probed {
@@ -50,6 +51,10 @@ class Lockstep : public sc_core::sc_module, public probed {
            const sc_core::sc_module& model, const knobs& k, const std::string& plugin);
 
   const std::string& unit() const { return unit_; }
+  /// Name of an output.
+  std::string output(int number) const {
+    return rtl_.outputs().at(static_cast<std::size_t>(number)).rtl.name();
+  }
   /// Clocks so far. All outputs were compared in each but the first, before any edge: registers
   /// have no defined value until they are reset.
   std::uint64_t clocks() const { return clocks_; }
@@ -98,7 +103,7 @@ class Lockstep : public sc_core::sc_module, public probed {
   const std::string unit_;
   rtl_instance rtl_;
   std::optional<WiringCheck> wiring_;
-  std::array<std::vector<int>, LockstepDifference::Window> history_;
+  std::array<std::vector<int>, LockstepDifference::Before + 1> history_;
   std::uint64_t clocks_ = 0, differences_ = 0;
   std::optional<LockstepDifference> first_;
   std::optional<Inversion> inversion_;

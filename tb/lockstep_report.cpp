@@ -4,15 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "sc/constants.h"
-#include "tb/output_file.h"
+#include "tb/console.h"
+#include "tb/lockstep_text.h"
 
 namespace racebeam {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -56,24 +52,19 @@ std::string trace_command(const std::string& scene, int frame, const std::string
 std::string explain(const LockstepDifference& d, const DifferenceContext& context) {
   return fmt::format(
       "{}: port {} differs {} ({} clocks compared):\n"
-      "  the model has {:#x}, the RTL {:#x}\n{}"
-      "the last {} clocks, hexadecimal, the last column is that of the difference:\n{}"
+      "  the model has {:#x}, the RTL {:#x}\n{}{}"
+      "clocks, 0 is that of the difference; values are hexadecimal, {} marks those of the RTL that "
+      "differ:\n{}"
       "knobs: {}\n{}repeat: {}\n{}",
       d.unit, d.port, context.where, d.clock, d.expected, d.got,
-      d.wiring.empty() ? "" : d.wiring + "\n",
-      std::min<std::size_t>(d.history.size(), LockstepDifference::Shown), d.text(),
-      knobs_text(context.k), context.window.empty() ? "" : "waveform: " + context.window + "\n",
-      context.repeat, context.closer.empty() ? "" : "all signals: " + context.closer + "\n");
+      d.wiring.empty() ? "" : d.wiring + "\n", difference_hints(d), DifferenceMark,
+      difference_table(d), knobs_text(context.k),
+      context.window.empty() ? "" : "waveform: " + context.window + "\n", context.repeat,
+      context.closer.empty() ? "" : "all signals: " + context.closer + "\n");
 }
 
-std::string save_window(const LockstepDifference& difference, const std::string& traffic,
-                        const knobs& k, const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder, error.message());
-  const std::string path = (fs::path(folder) / (difference.unit + "_" + traffic + ".vcd")).string();
-  write_text(path, difference.vcd(clock_period_ps(k.clocks_per_pixel)));
-  return path;
+void tell_difference(const std::string& explanation) {
+  tell(in_colours() ? in_colour(explanation) : explanation);
 }
 
 }  // namespace racebeam

@@ -40,13 +40,10 @@ struct DifferenceContext {
 std::string trace_command(const std::string& scene, int frame, const std::string& unit,
                           const std::string& rest);
 
-/// The first difference explained: unit, port, place, values, the last clocks of both sides, knobs,
+/// The first difference explained: unit, port, place, values, the clocks of both sides, knobs,
 /// and for racebeam_top whether a unit or the wiring is at fault.
 std::string explain(const LockstepDifference& difference, const DifferenceContext& context);
-
-/// Writes the window of a difference as FOLDER/<unit>_<traffic>.vcd and returns that name. Throws
-/// OutputError.
-std::string save_window(const LockstepDifference& difference, const std::string& traffic,
-                        const knobs& k, const std::string& folder);
+/// That on stderr, in colours if it is to have them.
+void tell_difference(const std::string& explanation);
 
 }  // namespace racebeam

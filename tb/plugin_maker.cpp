@@ -93,7 +93,7 @@ std::string PluginMaker::users(const std::string& unit, const std::string& text)
     return text;
   }
   RtlSources sources = read_source_list(unit, text);
-  sources.signals = traced_;
+  sources.signals = traced_ || unit == WholeChip;
   const RtlSyntax syntax = read_rtl_syntax(sources);
   for (const RtlSyntax::Place& call : syntax.calls)
     tell(call.file + ":" + std::to_string(call.line) + ": " + call.name +

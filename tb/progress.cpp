@@ -3,40 +3,55 @@
 #include "tb/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
 #include <string_view>
+
+#include "tb/console.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int BarWidth = 24;
+constexpr std::chrono::milliseconds Pause{100};
 
-bool terminal_moves_cursor() {
-  const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && term && std::string_view(term) != "dumb";
+bool somebody_watches() {
+  const char* ci = std::getenv("CI");
+  return on_terminal() && (!ci || std::string_view(ci).empty());
+}
+
+std::string time_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds + 0.5);
+  const long long hours = whole / 3600, minutes = whole / 60 % 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
+                   : fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
 }  // namespace
 
-Progress::Progress(int frames) : frames_(frames), enabled_(terminal_moves_cursor()) {}
+Progress::Progress(std::int64_t total, const char* things)
+    : total_(std::max<std::int64_t>(total, 1)), things_(things), enabled_(somebody_watches()) {}
 
-void Progress::draw(int frames_done, std::uint64_t clocks) {
+void Progress::draw(std::int64_t done, std::uint64_t clocks, const std::string& note) {
   if (!enabled_) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  const double seconds = elapsed.count();
-  const int filled = BarWidth * frames_done / frames_;
-  std::string line = fmt::format("\r\x1b[K[{}{}] {}/{} frames", std::string(filled, '#'),
-                                 std::string(BarWidth - filled, '.'), frames_done, frames_);
-  if (frames_done > 0 && seconds > 0) {
-    const int left = static_cast<int>(seconds / frames_done * (frames_ - frames_done) + 0.5);
-    if (clocks > 0) line += fmt::format("  {:.1f} M clocks/s", clocks / seconds / 1e6);
-    line += fmt::format("  {}:{:02} left", left / 60, left % 60);
+  const auto now = Clock::now();
+  if (drawn_ && now - last_ < Pause) return;
+  last_ = now;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const auto filled =
+      static_cast<std::size_t>(BarWidth * std::clamp<std::int64_t>(done, 0, total_) / total_);
+  std::string line = fmt::format("\r\x1b[K[{}{}] {}/{} {}", std::string(filled, '#'),
+                                 std::string(BarWidth - filled, '.'), done, total_, things_);
+  if (done > 0 && seconds > 0) {
+    if (clocks > 0)
+      line += fmt::format("  {:.1f} M clocks/s", static_cast<double>(clocks) / seconds / 1e6);
+    const auto left = static_cast<double>(std::max<std::int64_t>(total_ - done, 0));
+    line += "  " + time_text(seconds / static_cast<double>(done) * left) + " left";
   }
+  if (!note.empty()) line += "  " + note;
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;

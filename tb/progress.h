@@ -1,4 +1,4 @@
-// A progress bar on stderr, only on a terminal.
+// A progress bar on stderr, only on a terminal, and not where CI says that nobody watches.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -6,27 +6,34 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace racebeam {
 
 class Progress {
  public:
-  /// `frames` are to be done. Draws nothing unless stderr is a terminal that can move its cursor.
-  explicit Progress(int frames);
+  /// `total` things are to be done. Draws nothing unless stderr is a terminal that can move its
+  /// cursor, and the environment has no CI.
+  explicit Progress(std::int64_t total, const char* things = "frames");
   /// Removes the bar.
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Draws the bar: frames done, clocks a second on average if there were any, time to finish.
-  void draw(int frames_done, std::uint64_t clocks);
+  /// Draws the bar, ten times a second at most: things done, clocks a second on average if there
+  /// were any, time to finish, and a note.
+  void draw(std::int64_t done, std::uint64_t clocks, const std::string& note = {});
   /// Removes the bar, so that something else can be printed.
   void clear();
 
  private:
-  const int frames_;
+  using Clock = std::chrono::steady_clock;
+
+  const std::int64_t total_;
+  const char* const things_;
   const bool enabled_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point last_{};
   bool drawn_ = false;
 };
 

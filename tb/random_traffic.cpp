@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/random_traffic.h"
 
+#include "tb/reset_value.h"
+
 namespace racebeam {
 
 namespace {
 
 constexpr int ShortEpisode = 400, LongEpisode = 8000;  // at most
 constexpr int ResetPace[] = {8, 64, 1000, 0};
-
-int reset_value(const std::string& name) {
-  if (name == "rst_ni") return 0;
-  return name.find("reset") != std::string::npos ? 1 : -1;
-}
 
 }  // namespace
 

@@ -62,8 +62,9 @@ int trace_tt(const TraceOptions& options) {
   for (const std::string& remark : assumptions(project, chip.found())) tell(remark);
   TileRun run(chip);
   const Raster& raster = run.raster();
-  options.check(raster);
   const TraceWindowReader reader(MostTtFrames, raster);
+  reader.check(options.from, options.to);
+  options.check(raster);
   const WindowWriter writer{project.top, {}, options.output, options.picture, options.selection()};
   writer.check(run);
   TraceWindow window{};

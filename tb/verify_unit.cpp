@@ -10,6 +10,7 @@
 #include "sc/chip.h"
 #include "tb/interrupt.h"
 #include "tb/random_traffic.h"
+#include "tb/trace/difference_wave.h"
 #include "tb/tune_walk.h"
 #include "tb/unit_bench.h"
 
@@ -56,7 +57,8 @@ std::uint64_t walk_clocks(const std::string& unit) {
 }
 
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
-                        unsigned seed, const std::string& folder, const std::string& repeat) {
+                        unsigned seed, const std::string& folder, const std::string& repeat,
+                        const std::function<void(std::uint64_t)>& compared) {
   const auto model = make_model(dut);
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
   lockstep.outlive_faults();
@@ -72,8 +74,11 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
   TuneWalk walk(bench, seed);
   if (stimulus == Stimulus::Walk) bench.between_edges([&] { walk.next(); });
   else bench.between_edges([&] { traffic.next(); });
-  while (lockstep.clocks() < clocks && !lockstep.first() && !lockstep.fault() && !interrupted())
+  while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole()) &&
+         !lockstep.fault() && !interrupted()) {
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
+    compared(lockstep.clocks());
+  }
   const bool random = stimulus == Stimulus::Random;
   UnitVerdict verdict{dut.unit,
                       random ? "random" : "walk",
@@ -93,7 +98,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
         d->got,
         {},
         explain(*d, {random ? "on random traffic" : "on the walk through its tune", repeat, "",
-                     save_window(*d, verdict.traffic, dut.k, folder), dut.k})};
+                     save_unit_window(*d, verdict.traffic, dut.k, folder), dut.k})};
   return verdict;
 }
 

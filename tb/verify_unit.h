@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,9 +54,10 @@ std::uint64_t walk_clocks(const std::string& unit);
 
 /// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, a fault or
 /// an interrupt; a difference is explained and saved in `folder`; `repeat` is the command for it.
-/// Only one such comparison and nothing else of SystemC may happen in a process. Throws RtlError,
-/// OutputError.
+/// `compared` is told now and then how many clocks are done. Only one such comparison and nothing
+/// else of SystemC may happen in a process. Throws RtlError, OutputError.
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
-                        unsigned seed, const std::string& folder, const std::string& repeat);
+                        unsigned seed, const std::string& folder, const std::string& repeat,
+                        const std::function<void(std::uint64_t)>& compared);
 
 }  // namespace racebeam

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "tests/gtkwave.h"
@@ -166,14 +167,58 @@ TEST_F(CliGtkWaveTest, ShowsRtlAndBothSidesOfALockstep) {
 TEST_F(CliGtkWaveTest, TheSaveFileFindsItsFstByItselfWhereverBothAreMoved) {
   const Arguments window = {"--from", "60:0:900", "--to", "60:0:910", "--scope", "chip.u_s*"};
   const Wave wave = trace("t.vcd", window);
-  trace("t.fst", window, "t.vcd");
-  std::filesystem::create_directory(folder / "moved");
-  for (const char* name : {"t.fst", "t.gtkw"})
-    std::filesystem::rename(folder / name, folder / "moved/" + name);
   const XServer server(Width, Height);
-  GtkWave gtkwave({folder / "moved/t.gtkw"});
-  EXPECT_EQ(gtkwave.ask("getDumpFileName"), folder / "moved/t.fst");
-  expect_what_is_saved(gtkwave, "moved/t.gtkw", wave, {wave.begin, wave.end - 1});
+  for (const std::string& output : {std::string("t.fst"), folder / "t.fst"}) {
+    Arguments words = {"trace", "demo", "-o", output};
+    words.insert(words.end(), window.begin(), window.end());
+    Program run(folder.path(), words);
+    ASSERT_EQ(run.wait(), 0) << run.err();
+    EXPECT_THAT(read_file(folder / "t.gtkw"),
+                testing::HasSubstr("\n[dumpfile] \"t.fst\"\n[savefile] \"t.gtkw\"\n"));
+    std::filesystem::create_directory(folder / "moved");
+    for (const char* name : {"t.fst", "t.gtkw"})
+      std::filesystem::rename(folder / name, folder / "moved/" + name);
+    GtkWave gtkwave({folder / "moved/t.gtkw"});
+    EXPECT_EQ(gtkwave.ask("getDumpFileName"), folder / "moved/t.fst");
+    expect_what_is_saved(gtkwave, "moved/t.gtkw", wave, {wave.begin, wave.end - 1});
+  }
+}
+
+TEST_F(CliGtkWaveTest, AllOfALongWindowIsSeenAtFirst) {
+  const Wave lines = trace("t.vcd", {"--from", "60:0", "--to", "60:2", "--scope", "chip.room"});
+  const Wave frames = trace(
+      "f.vcd", {"--from", "60:-273", "--to", "79:251", "--level", "tlm", "--scope", "*.frame"});
+  const XServer server(Width, Height);
+  for (const auto& [save, wave] : {std::pair{"t.gtkw", &lines}, {"f.gtkw", &frames}}) {
+    GtkWave gtkwave({folder / save});
+    const auto length = static_cast<double>(wave->end - wave->begin);
+    EXPECT_EQ(gtkwave.number("getWindowStartTime"), static_cast<double>(wave->begin)) << save;
+    const double end = gtkwave.number("getWindowEndTime");
+    EXPECT_GE(end, static_cast<double>(wave->end) - length / 50) << save;
+    EXPECT_LE(end, static_cast<double>(wave->end) + length / 2) << save << " is not lost in space";
+  }
+}
+
+TEST_F(CliGtkWaveTest, BothSidesOfADifferenceAreTheFirstRows) {
+  std::string text = read_file(RACEBEAM_SOURCE_DIR "/rtl/stacks.sv");
+  const std::string right = "(n + 1) % IntervalStackDepth";
+  std::ofstream(folder / "mine.sv") << text.replace(text.find(right), right.size(), "0");
+  Program run(folder.path(), {"trace", "demo", "--use", "stacks=lockstep:mine.sv", "--around",
+                              "mismatch", "-o", "t.vcd"});
+  ASSERT_EQ(run.wait(), 1) << run.err();
+  const XServer server(Width, Height);
+  GtkWave gtkwave({folder / "t.gtkw"});
+  const auto rows = gtkwave.rows();
+  ASSERT_GT(rows.size(), 5u);
+  EXPECT_THAT(rows[0].name, testing::StartsWith("differs: chip.u_stacks.top_"));
+  EXPECT_FALSE(rows[0].folded());
+  EXPECT_THAT(rows[1].name, testing::StartsWith("model top_"));
+  EXPECT_THAT(rows[2].name, testing::StartsWith("RTL top_"));
+  EXPECT_NE(rows[1].value, rows[2].value) << "at the marker";
+  EXPECT_TRUE(rows[3].ends());
+  EXPECT_EQ(rows[4].name, "inputs of chip.u_stacks");
+  constexpr Rgb Red{255, 0, 0};
+  EXPECT_TRUE(screen_becomes(server, [&] { return pixels(Red) > 100; }));
 }
 
 TEST_F(CliGtkWaveTest, DrawsEdgesAtTheirClocksInTheColoursOfTheSaveFile) {

@@ -45,7 +45,7 @@ class CliTraceBench : public testing::Test {
   Wave read_back(const std::string& fst) {
     const std::string back = "fst2vcd " + (folder / fst) + " > " + (folder / "back.vcd");
     EXPECT_EQ(std::system(back.c_str()), 0);
-    return Wave(folder / "back.vcd");
+    return Wave(folder / "back.vcd", false);
   }
 
   ScratchFolder folder;

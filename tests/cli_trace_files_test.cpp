@@ -12,7 +12,9 @@
 #include <set>
 #include <sstream>
 
+#include "tb/trace/trace_size.h"
 #include "tests/cli_trace_bench.h"
+#include "tests/x_server.h"
 
 namespace racebeam {
 namespace {
@@ -56,6 +58,52 @@ TEST_F(CliTraceFilesTest, TheSaveFileShowsEverySignalInTheGroupOfItsUnit) {
   }
   EXPECT_TRUE(groups);
   EXPECT_EQ(shown.size(), wave.signals.size());
+}
+
+// Whoever estimates by a factor of two has seen what he is in for.
+TEST_F(CliTraceFilesTest, TheSizeThatIsSaidOfALongWindowIsThatOfTheFile) {
+  const auto expect = [&](std::vector<std::string> more, const char* from, const char* to,
+                          bool overview) {
+    more.insert(more.end(), {"--from", from, "--to", to});
+    const Wave wave = trace(more);
+    const auto clocks = static_cast<std::int64_t>((wave.end - wave.begin) / Period);
+    const auto expected = overview || more[0] != "--level"
+                              ? TraceSize::of_signals(clocks, 0, wave.codes(), overview).bytes
+                              : TraceSize::of_transactions(clocks).bytes;
+    const auto real = static_cast<double>(std::filesystem::file_size(folder / "t.vcd"));
+    EXPECT_GT(expected, real / 2) << more[0] << " from " << from;
+    EXPECT_LT(expected, real * 2) << more[0] << " from " << from;
+  };
+  expect({"--depth", "0"}, "7223:-240", "7223:-235", false);
+  expect({"--depth", "0"}, "60:0", "60:5", false);
+  expect({"--scope", "chip.u_subdivider"}, "7223:-240", "7223:-235", false);
+  expect({"--scope", "*_q"}, "1000:0", "1000:5", false);
+  expect({"--depth", "0"}, "7223:-240", "7223:-140", true);
+  expect({"--level", "tlm"}, "60:-273", "61:251", false);
+  expect({"--level", "tlm"}, "7223:-273", "7223:251", false);
+}
+
+TEST_F(CliTraceFilesTest, SaysSizeAndTimeOfALongWindowBeforeItsFirstClock) {
+  Program run(folder.path(), {"trace", "demo", "-o", "t.vcd", "--from", "0:0", "--to", "400:0"});
+  ASSERT_TRUE(eventually([&] { return folder.files() > 0; }));
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_THAT(run.err(), testing::StartsWith("racebeam: about 21 GB and 5 minutes; as FST about "
+                                             "1.0 GB\n"));
+}
+
+TEST_F(CliTraceFilesTest, SaysThatALongWindowDoesNotFit) {
+  EXPECT_EQ(TraceSize({3e15, 1}).text("t.vcd"), "about 3000 TB and 1 second; as FST about 150 TB");
+  EXPECT_EQ(TraceSize({2e9, 600}).text("t.fst"),
+            "about 100 MB and 11 minutes, made of 2.0 GB of VCD");
+  EXPECT_EQ(TraceSize({1e9, 1}).room_text("t.vcd", 2e9), "");
+  EXPECT_EQ(TraceSize({1e9, 1}).room_text("t.fst", 1.01e9),
+            "it will not fit: 1.0 GB are free there, and it takes 1.1 GB");
+}
+
+TEST_F(CliTraceFilesTest, OfAShortWindowNothingIsSaidBefore) {
+  trace({"--from", "60:0", "--to", "60:10"});
+  EXPECT_THAT(said, testing::StartsWith("racebeam: wrote t.vcd"));
 }
 
 // GTKWave writes its own first line, whatever name it saves under.

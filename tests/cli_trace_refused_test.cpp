@@ -39,6 +39,20 @@ TEST_F(CliTraceRefusedTest, RefusesWindowsThatAreNone) {
   window("60:-274", "60:1", "line -274 is out of range; -273..251");
   window("60:0:1600", "60:1", "clock 1600 is out of range; 0..1599");
   window("60:1", "60:0", "--to 60:0 comes before --from 60:1");
+  const auto alone = [&](const char* option, const char* at, const std::string& words,
+                         std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"demo", "-o", "t.vcd", option, at});
+    expect_refused(more, words);
+  };
+  alone("--from", "0:300", "--from 0:300: line 300 is out of range; -273..251");
+  alone("--to", "0:300", "--to 0:300: line 300 is out of range; -273..251");
+  alone("--from", "12799:0", "--from 12799:0: frame 12799 is out of range; 0..12798");
+  alone("--to", "1:2:1600", "--to 1:2:1600: clock 1600 is out of range; 0..1599");
+  alone("--from", "x", "--from 'x' is not of the form");
+  alone("--from", "0:300", "--from 0:300: line 300", {"--around", "max-stack"});
+  alone("--to", "0:300", "--to 0:300: line 300", {"--when", "line == 1"});
+  alone("--from", "0:300", "--from 0:300: line 300", {"--record", "3"});
+  alone("--from", "0:30", "the window is missing: say --from FRAME:LINE and --to FRAME:LINE");
   expect_refused({"demo", "-o", "t.vcd"}, "--from FRAME:LINE");
   expect_refused({"demo", "-o", "t.vcd", "--around", "first-stravd"},
                  "did you mean 'first-starved'?");

@@ -47,7 +47,9 @@ TEST_F(LockstepTest, KeepsTheClocksBeforeADifference) {
   ASSERT_TRUE(lockstep.first());
   const LockstepDifference& first = *lockstep.first();
   EXPECT_EQ(first.unit, "stacks");
-  EXPECT_EQ(first.history.size(), std::size_t{LockstepDifference::Window});
+  EXPECT_EQ(first.before, std::size_t{LockstepDifference::Before});
+  EXPECT_EQ(first.first_clock(), 1234u - LockstepDifference::Before);
+  EXPECT_TRUE(first.whole());
   EXPECT_EQ(first.history.back().size(), first.columns.size());
 }
 

@@ -83,8 +83,9 @@ add_racebeam_test(condition unit racebeam_trace)
 add_racebeam_test(wave_picture unit racebeam_trace LibXml2::LibXml2 GTest::gmock)
 add_racebeam_test(rtl_syntax unit racebeam_scene GTest::gmock)
 target_compile_definitions(rtl_syntax_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-add_racebeam_test(lockstep unit racebeam_scene fmt::fmt)
+add_racebeam_test(lockstep unit racebeam_trace fmt::fmt GTest::gmock)
 target_compile_definitions(lockstep_test PRIVATE RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+add_racebeam_test(lockstep_text unit racebeam_trace GTest::gmock)
 add_racebeam_test(image_files unit racebeam_images PkgConfig::OIIO)
 
 add_racebeam_test(stats_json unit racebeam_report)
@@ -154,6 +155,7 @@ foreach(
   ${WINDOW_TEST}
   cli
   cli_against
+  cli_difference
   cli_explain
   cli_folder
   cli_golden
@@ -161,6 +163,7 @@ foreach(
   cli_interrupt
   cli_jobs
   cli_overlay
+  cli_progress
   cli_render
   cli_rtl
   cli_rtl_faults
@@ -199,6 +202,7 @@ endif()
 target_link_libraries(cli_overlay_test PRIVATE PkgConfig::OIIO)
 target_link_libraries(cli_trace_event_test PRIVATE racebeam_trace)
 target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)
+target_link_libraries(cli_trace_files_test PRIVATE racebeam_trace)
 if(SDL2_FOUND)
   target_compile_definitions(cli_rtl_faults_test PRIVATE RACEBEAM_WINDOW)
   target_link_libraries(cli_view_test PRIVATE racebeam_view_parts PkgConfig::OIIO)

@@ -43,7 +43,7 @@ TEST(VcdWriter, WritesScopesSignalsAndChanges) {
             "$upscope $end\n"
             "$upscope $end\n"
             "$enddefinitions $end\n"
-            "#0\n1!\nb100000101 \"\n"
+            "#0\n$dumpvars\n1!\nb100000101 \"\n$end\n"
             "#10\n0!\n0#\n"
             "#25\nb10 $\n"
             "#30\n");
@@ -72,7 +72,7 @@ TEST(VcdWriter, SignalsHaveSeveralNamesAndWords) {
             "$var wire 10 ! i2 [9:0] $end\n$var string 1 \" state_name $end\n"
             "$scope module u_subdivider $end\n$var wire 10 ! i2_o [9:0] $end\n"
             "$upscope $end\n$upscope $end\n$enddefinitions $end\n"
-            "#0\nb101 !\nsray_pattern \"\n#9\n");
+            "#0\n$dumpvars\nb101 !\nsray_pattern \"\n$end\n#9\n");
 }
 
 TEST(VcdWriter, NoNameOfASceneEndsTheCommentOrAWord) {
@@ -82,7 +82,7 @@ TEST(VcdWriter, NoNameOfASceneEndsTheCommentOrAWord) {
   EXPECT_EQ(vcd.text("a $end b\n$var", 1),
             "$comment a _end b__var $end\n$timescale 1 ps $end\n$scope module beam $end\n"
             "$var string 1 ! part $end\n$upscope $end\n$enddefinitions $end\n"
-            "#0\nsa_b_c_d !\n#1\n");
+            "#0\n$dumpvars\nsa_b_c_d !\n$end\n#1\n");
 }
 
 TEST(VcdWriter, AStreamedFileIsTheText) {

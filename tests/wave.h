@@ -34,13 +34,15 @@ class Wave {
     }
   };
 
-  explicit Wave(const std::string& path) {
+  /// `ours`: the first values are to stand in $dumpvars.
+  explicit Wave(const std::string& path, bool ours = true) {
     std::ifstream in(path);
     need(in.good(), "no file " + path);
     std::string scope;
     bool declared = false;
     std::uint64_t time = 0;
-    bool timed = false;
+    bool timed = false, dumps = false, dumped = !ours;
+    std::size_t changes = 0;
     for (std::string line; std::getline(in, line);) {
       std::istringstream words(line);
       std::vector<std::string> w{std::istream_iterator<std::string>(words), {}};
@@ -53,12 +55,22 @@ class Wave {
         time = end = next;
         if (!timed) begin = time;
         timed = true;
-      } else if (w[0][0] != '$') {
+      } else if (w[0] == "$dumpvars") {
+        need(timed && time == begin && changes == 0, "$dumpvars after a change");
+        dumps = true;
+      } else if (w[0] == "$end") {
+        need(dumps && time == begin, "$end");
+        dumps = false;
+        dumped = true;
+      } else {
         need(timed, "a change before the first time");
+        need(dumps || dumped, "a change before $dumpvars");
+        ++changes;
         change(w, time);
       }
     }
     need(declared, "no $enddefinitions");
+    need(!dumps, "$dumpvars without $end");
     for (const auto& [name, code] : codes_) signals[name] = by_code_.at(code);
   }
 
@@ -70,6 +82,9 @@ class Wave {
 
   /// Identifier of a signal in the file; the names of a wire share one.
   const std::string& code(const std::string& path) const { return codes_.at(path); }
+
+  /// Signals, however many names they have.
+  std::size_t codes() const { return by_code_.size(); }
 
   std::map<std::string, Signal> signals;  ///< by path
   std::uint64_t begin = 0, end = 0;       ///< first and last time

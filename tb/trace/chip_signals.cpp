@@ -52,6 +52,10 @@ void add_unit(std::vector<ChipSignal>& all, const sc_core::sc_module& unit,
 
 }  // namespace
 
+std::string scope_of_unit(const std::string& unit) {
+  return unit == WholeChip ? "chip" : "chip." + instance_of(unit);
+}
+
 std::vector<ChipSignal> chip_signals(const SignalBench& bench) {
   std::vector<ChipSignal> all;
   add_unit(all, bench.dut(), "chip");
@@ -66,11 +70,8 @@ std::vector<ChipSignal> chip_signals(const SignalBench& bench) {
   for (const auto* child : bench.dut().get_child_objects())
     if (const auto* unit = dynamic_cast<const sc_core::sc_module*>(child))
       add_unit(all, *unit, std::string("chip.") + unit->basename());
-  for (const Lockstep* lockstep : bench.locksteps()) {
-    const std::string unit = lockstep->unit();
-    add_inner(all, lockstep->probes(),
-              unit == WholeChip ? "chip.rtl" : "chip." + instance_of(unit) + ".rtl", {});
-  }
+  for (const Lockstep* lockstep : bench.locksteps())
+    add_inner(all, lockstep->probes(), scope_of_unit(lockstep->unit()) + ".rtl", {});
   return all;
 }
 

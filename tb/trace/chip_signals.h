@@ -37,6 +37,9 @@ struct ChipSignal {
   std::uint64_t read() const { return inner ? inner() : static_cast<std::uint64_t>(wire.value()); }
 };
 
+/// Where a unit's ports lie: "chip.u_stacks"; of racebeam_top "chip".
+std::string scope_of_unit(const std::string& unit);
+
 /// All names, unit after unit. They can be read as long as the bench lives.
 std::vector<ChipSignal> chip_signals(const SignalBench& bench);
 

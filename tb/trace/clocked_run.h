@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "tb/raster.h"
@@ -27,11 +28,24 @@ class ClockedRun {
   /// Simulates up to that clock: its ordinal, 0 is the first of frame 0. False: the user wants to
   /// stop, and it stands at the end of a line.
   virtual bool go_to(std::int64_t clock) = 0;
+  /// Ordinal of the clock it stands in.
+  virtual std::int64_t clock() const = 0;
+  /// Calls `look` after every line that go_to() passes, and at its end, with the clock() there; an
+  /// empty one ends that.
+  void each_line(std::function<void(std::int64_t)> look) { each_line_ = std::move(look); }
   /// Calls `look` with the ordinal of every clock from here on, its wires settled; an empty one
   /// ends that.
   virtual void each_clock(std::function<void(std::int64_t)> look) = 0;
   /// Lets `look` see the clock in which the run stands.
   virtual void settle() = 0;
+
+ protected:
+  void line_done() const {
+    if (each_line_) each_line_(clock());
+  }
+
+ private:
+  std::function<void(std::int64_t)> each_line_;
 };
 
 }  // namespace racebeam

@@ -11,6 +11,8 @@
 
 #include "tb/console.h"
 #include "tb/errors.h"
+#include "tb/trace/chip_signals.h"
+#include "tb/trace/line_progress.h"
 
 namespace racebeam {
 
@@ -32,6 +34,7 @@ class Differences {
 
   struct First {
     std::int64_t clock;
+    std::size_t unit;  ///< its number
     const LockstepDifference* what;
   };
   /// The earliest one so far.
@@ -41,7 +44,7 @@ class Differences {
       const auto& found = units_[n]->first();
       if (!found) continue;
       const std::int64_t clock = epochs_[n] + static_cast<std::int64_t>(found->clock);
-      if (!earliest || clock < earliest->clock) earliest = {clock, &*found};
+      if (!earliest || clock < earliest->clock) earliest = {clock, n, &*found};
     }
     return earliest;
   }
@@ -53,11 +56,11 @@ class Differences {
 
 }  // namespace
 
-FlightEvent EventWatch::happened(const TraceRun& run, FlightEvent::Kind kind,
-                                 std::int64_t clock) const {
+FlightEvent EventWatch::happened(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,
+                                 int detail, int port) const {
   const Raster& raster = run.raster();
   const TraceWindow window = around(point_at(clock, raster));
-  return {kind, clock, window.from.ordinal(raster), window.to.ordinal(raster), 0};
+  return {kind, clock, window.from.ordinal(raster), window.to.ordinal(raster), detail, port};
 }
 
 FlightEvent EventWatch::stopped(FlightEvent::Kind kind, std::int64_t last_clock, int detail) const {
@@ -72,8 +75,13 @@ int EventWatch::replayed(TraceRun& copy, const FlightEvent& event) const {
     tell(fmt::format("crashed after {}{}", place_of(event.clock, raster),
                      event.detail == 0 ? "" : std::string(": ") + strsignal(event.detail)));
   const std::int64_t from = std::max(event.from, copy.clock());
-  return write(copy,
-               {point_at(from, raster), point_at(event.to, raster), point_at(event.clock, raster)});
+  TraceWindow window{
+      point_at(from, raster), point_at(event.to, raster), point_at(event.clock, raster), {}};
+  if (event.kind == FlightEvent::Mismatch) {
+    const Lockstep& unit = *copy.bench().locksteps().at(static_cast<std::size_t>(event.detail));
+    window.differs = DifferingPort{scope_of_unit(unit.unit()), unit.output(event.port)};
+  }
+  return write(copy, window);
 }
 
 std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64_t last) const {
@@ -81,6 +89,7 @@ std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64
   const int line = raster.line_clocks();
   FlightRecorder recorder(keep, [&](const FlightEvent& event) { return replayed(run, event); });
   recorder.pass(run.clock());
+  LineProgress progress(run, last, [] { return std::string(); });
   recorder.catch_crashes([&run] { return run.kernel_clock() - 1; });
   try {
     bool going = run.go_to(first);
@@ -94,11 +103,14 @@ std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64
     while (run.clock() <= last) {
       going = going && run.go_to(std::min((run.clock() / line + 1) * line, last + 1));
       const auto found = differences.first();
+      if (found || held || !going) progress.end();
       if (found && !(held && *held < found->clock)) {
         tell(fmt::format("{}.{} differs in {}: the RTL has {:#x}, the model {:#x}",
                          found->what->unit, found->what->port, place_of(found->clock, raster),
                          found->what->got, found->what->expected));
-        const int code = recorder.replay(happened(run, FlightEvent::Mismatch, found->clock));
+        const int code =
+            recorder.replay(happened(run, FlightEvent::Mismatch, found->clock,
+                                     static_cast<int>(found->unit), found->what->output));
         return code == ExitGood ? static_cast<int>(ExitDifference) : code;
       }
       if (held) {
@@ -113,6 +125,7 @@ std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64
       recorder.pass(run.clock());
     }
   } catch (const RtlError&) {
+    progress.end();
     recorder.replay(stopped(FlightEvent::Crash, run.kernel_clock() - 1));
     throw;
   }

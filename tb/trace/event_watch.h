@@ -29,7 +29,8 @@ struct EventWatch {
   std::optional<int> run(TraceRun& run, std::int64_t first, std::int64_t last) const;
 
  private:
-  FlightEvent happened(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock) const;
+  FlightEvent happened(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,
+                       int detail = 0, int port = 0) const;
   FlightEvent stopped(FlightEvent::Kind kind, std::int64_t last_clock, int detail = 0) const;
   int replayed(TraceRun& copy, const FlightEvent& event) const;
 };

@@ -23,7 +23,8 @@ struct FlightEvent {
   enum Kind { Condition, Mismatch, Interrupt, Crash };
   Kind kind;
   std::int64_t clock, from, to;  ///< ordinals
-  int detail;                    ///< Mismatch: the number of the unit; Crash: the signal
+  int detail;    ///< Mismatch: the number of the unit in lockstep; Crash: the signal
+  int port = 0;  ///< Mismatch: the number of its output
 };
 
 class FlightRecorder {

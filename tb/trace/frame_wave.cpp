@@ -27,7 +27,7 @@ void FrameWave::commit() {
   const auto time = [&](std::int64_t clock) {
     return static_cast<std::uint64_t>(clock * bench_.period_ps());
   };
-  files_.commit({time(first_), time(next_), time(1), {}});
+  files_.commit({time(first_), time(next_), time(1), {}, {}});
 }
 
 }  // namespace racebeam

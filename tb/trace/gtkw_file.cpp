@@ -69,16 +69,38 @@ constexpr std::size_t FewSignals = 80;
 
 using Names = std::vector<const VcdWriter::Name*>;
 
+/// `alias`: what is shown instead of the name.
+void add_signal(std::string& text, const VcdWriter::Name& name, const VcdWriter& vcd, int colour,
+                const std::string& alias = {}) {
+  const int bits = vcd.bits(name.signal);
+  text += fmt::format("{}\n[color] {}\n{}{}{}\n", flags_of(format_of(name.name, bits)), colour,
+                      alias.empty() ? "" : "+{" + alias + "} ", name.path(),
+                      bits > 1 ? fmt::format("[{}:0]", bits - 1) : "");
+}
+
 void add_group(std::string& text, const std::string& title, bool open, const Names& names,
                const VcdWriter& vcd) {
   text += std::string(open ? OpenGroup : FoldedGroup) + "\n-" + title + "\n";
-  for (const auto* name : names) {
-    const int bits = vcd.bits(name->signal);
-    text += std::string(flags_of(format_of(name->name, bits))) + "\n[color] " +
-            std::to_string(colour_of(role_of(name->name, bits))) + "\n" + name->path() +
-            (bits > 1 ? "[" + std::to_string(bits - 1) + ":0]" : "") + "\n";
-  }
+  for (const auto* name : names)
+    add_signal(text, *name, vcd, colour_of(role_of(name->name, vcd.bits(name->signal))));
   text += std::string(open ? EndOpenGroup : EndFoldedGroup) + "\n-" + title + "\n";
+}
+
+/// Both sides of the port, one below the other, and what its unit was given.
+void add_difference(std::string& text, const DifferingPort& port, const VcdWriter& vcd) {
+  constexpr int Red = 1;
+  const std::string title = "differs: " + port.scope + "." + port.name;
+  text += std::string(OpenGroup) + "\n-" + title + "\n";
+  for (const auto& [side, scope] : {std::pair{"model", port.scope}, {"RTL", port.scope + ".rtl"}})
+    for (const auto& name : vcd.names())
+      if (name.scope == scope && name.name == port.name)
+        add_signal(text, name, vcd, Red, fmt::format("{} {}", side, port.name));
+  text += std::string(EndOpenGroup) + "\n-" + title + "\n";
+  Names inputs;
+  for (const auto& name : vcd.names())
+    if (name.scope == port.scope && role_of(name.name, vcd.bits(name.signal)) == SignalRole::Input)
+      inputs.push_back(&name);
+  add_group(text, "inputs of " + port.scope, true, inputs, vcd);
 }
 
 Names overview(const VcdWriter& vcd) {
@@ -89,13 +111,14 @@ Names overview(const VcdWriter& vcd) {
   return names;
 }
 
-// The window fills the view, but a unit of time is wide enough for the number in it.
+// All of the window is seen; around a marker a unit of time is wide enough for the number in it.
 std::string view(const GtkwWindow& window) {
   constexpr double Width = 1400, Tree = 40, Signals = 330, Waves = Width - Tree - Signals - 40;
   constexpr double Narrowest = 46, Widest = 80, UnitOfZoom = 200;  // pixels
   const double clocks =
       static_cast<double>(window.end - window.begin) / static_cast<double>(window.unit);
-  const double pixels = std::clamp(Waves / std::max(clocks, 1.), Narrowest, Widest);
+  const double pixels =
+      std::clamp(Waves / std::max(clocks, 1.), window.marker ? Narrowest : 0., Widest);
   const std::uint64_t half = static_cast<std::uint64_t>(Waves / pixels / 2) * window.unit;
   std::uint64_t start = window.begin;
   if (window.marker && *window.marker > window.begin + half) start = *window.marker - half;
@@ -126,9 +149,10 @@ bool is_foreign_gtkw(const std::string& path) {
 std::string gtkw_text(const std::string& dump, const VcdWriter& vcd, const GtkwWindow& window) {
   std::map<std::string, Names> groups;
   for (const auto& name : vcd.names()) groups[name.scope].push_back(&name);
-  std::string text = std::string(Title) + "\n[dumpfile] \"" + fs::absolute(dump).string() +
-                     "\"\n[savefile] \"" + fs::absolute(gtkw_path(dump)).string() + "\"\n" +
+  std::string text = std::string(Title) + "\n[dumpfile] \"" + fs::path(dump).filename().string() +
+                     "\"\n[savefile] \"" + fs::path(gtkw_path(dump)).filename().string() + "\"\n" +
                      view(window);
+  if (window.differs) add_difference(text, *window.differs, vcd);
   add_group(text, "beam", true, groups["beam"], vcd);
   const bool few = vcd.names().size() <= FewSignals;
   if (const Names tracer = overview(vcd); !few && !tracer.empty())

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include "tb/trace/trace_window.h"
 #include "tb/trace/vcd_writer.h"
 
 namespace racebeam {
@@ -21,12 +22,14 @@ namespace racebeam {
 /// What is seen when the file is opened, in picoseconds.
 struct GtkwWindow {
   std::uint64_t begin, end;
-  std::uint64_t unit;                   ///< is wide enough to be read: a clock
-  std::optional<std::uint64_t> marker;  ///< stands here, in sight
+  std::uint64_t unit;                      ///< is wide enough to be read: a clock
+  std::optional<std::uint64_t> marker;     ///< stands here, in sight; without one all is
+  std::optional<DifferingPort> differs{};  ///< stands on top
 };
 
-/// The text of a save file that shows the signals of `vcd`, stored as `dump`: the beam, and a group
-/// for each unit, or the streams of transactions.
+/// The text of a save file that shows the signals of `vcd`, stored as `dump`: the port that differs
+/// with the inputs of its unit, the beam, and a group for each unit, or the streams of
+/// transactions. It finds `dump` beside itself, wherever both are moved.
 std::string gtkw_text(const std::string& dump, const VcdWriter& vcd, const GtkwWindow& window);
 
 /// Where it belongs: F.gtkw for F.vcd and F.fst.

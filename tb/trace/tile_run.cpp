@@ -70,6 +70,10 @@ std::vector<ChipSignal> TileRun::signals(bool) {
   return all;
 }
 
+std::int64_t TileRun::clock() const {
+  return static_cast<std::int64_t>(run_.clock()) - static_cast<std::int64_t>(run_.found().first);
+}
+
 TilePins TileRun::seen_inputs() const {
   const std::uint64_t clock = run_.chip().clock();
   return run_.pins_at(clock > 0 ? clock - 1 : 0);
@@ -84,6 +88,7 @@ bool TileRun::go_to(std::int64_t clock) {
     const std::uint64_t ahead = (from + line - run_.found().first % line) % line;
     run_.run(std::min(since_reset(clock), from + line - ahead), changes);
     changes.clear();
+    line_done();
   }
   return !interrupted();
 }

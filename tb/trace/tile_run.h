@@ -24,6 +24,7 @@ class TileRun : public ClockedRun {
   const char* left_out() const override { return "the chip's pins and the beam alone"; }
 
   bool go_to(std::int64_t clock) override;
+  std::int64_t clock() const override;
   void each_clock(std::function<void(std::int64_t)> look) override;
   void settle() override;
   /// Stands at the reset again, without each_clock(); what signals() gave is gone.

@@ -33,6 +33,7 @@ bool TraceRun::go_to(std::int64_t clock) {
     const std::int64_t step = std::min(clock - clock_, line - clock_ % line);
     bench_.advance(static_cast<int>(step));
     clock_ += step;
+    line_done();
   }
   return !interrupted();
 }

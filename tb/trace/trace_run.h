@@ -24,7 +24,7 @@ class TraceRun : public ClockedRun {
   std::vector<ChipSignal> signals(bool registers) override;
   const char* left_out() const override { return "no registers, clock, rays or geometry of rooms"; }
   /// Ordinal of the clock it stands in.
-  std::int64_t clock() const { return clock_; }
+  std::int64_t clock() const override { return clock_; }
   /// Ordinal of the clock that the kernel is in: during go_to() it runs ahead of clock().
   std::int64_t kernel_clock() const;
 

@@ -54,6 +54,11 @@ TracePoint TraceWindowReader::point(const char* option, const std::string& text,
   return {n[0], n[1], n.size() == 3 ? n[2] : clock};
 }
 
+void TraceWindowReader::check(const std::string& from, const std::string& to) const {
+  if (!from.empty()) point("--from", from, 0);
+  if (!to.empty()) point("--to", to, 0);
+}
+
 TraceWindow TraceWindowReader::window(const std::string& from, const std::string& to) const {
   const TraceWindow window{point("--from", from, 0), point("--to", to, raster_.line_clocks() - 1)};
   if (window.to.ordinal(raster_) < window.from.ordinal(raster_))

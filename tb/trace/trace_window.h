@@ -30,10 +30,17 @@ struct TracePoint {
 /// The clock with this ordinal.
 TracePoint point_at(std::int64_t ordinal, const Raster& raster);
 
+/// A port of a unit in lockstep whose sides differ: the model has it as SCOPE.NAME, the RTL as
+/// SCOPE.rtl.NAME.
+struct DifferingPort {
+  std::string scope, name;
+};
+
 /// Both ends are in it.
 struct TraceWindow {
   TracePoint from, to;
-  std::optional<TracePoint> mark{};  ///< what it lies around
+  std::optional<TracePoint> mark{};        ///< what it lies around
+  std::optional<DifferingPort> differs{};  ///< and what that is
 };
 
 /// A show of `frames` frames on a raster.
@@ -46,6 +53,9 @@ class TraceWindowReader {
   /// "60:-240:800", as FRAME:LINE or FRAME:LINE:CLOCK. Without a clock `from` begins, and `to`
   /// ends, with the line. Throws UsageError: no such form, out of range, `to` before `from`.
   TraceWindow window(const std::string& from, const std::string& to) const;
+
+  /// Throws UsageError as window() does for an end that is given; an empty one is not.
+  void check(const std::string& from, const std::string& to) const;
 
   /// The line of `point`, with `lines` before and after it as far as the show has them.
   TraceWindow around(const TracePoint& point, long long lines) const;

@@ -24,7 +24,8 @@ const std::vector<std::string>& trigger_names() {
 
 std::optional<TracePoint> find_trigger(const std::string& name, const TraceWindow& searched,
                                        const knobs& k, const Raster& raster,
-                                       const scene_program* program) {
+                                       const scene_program* program,
+                                       const std::function<bool(std::int64_t)>& goes_on) {
   const auto& names = trigger_names();
   const auto known = std::find(names.begin(), names.end(), name);
   if (known == names.end()) throw unknown_name("trigger", name, names);
@@ -37,8 +38,9 @@ std::optional<TracePoint> find_trigger(const std::string& name, const TraceWindo
   const std::int64_t first = searched.from.ordinal(raster);
   std::optional<TracePoint> found;
   int most = 0;
-  for (std::int64_t at = TracePoint{searched.from.frame, FirstLine, 0}.ordinal(raster); at <= last;
-       ++at) {
+  const std::int64_t begin = TracePoint{searched.from.frame, FirstLine, 0}.ordinal(raster);
+  for (std::int64_t at = begin; at <= last; ++at) {
+    if (at % raster.line_clocks() == 0 && !goes_on(at - begin)) return std::nullopt;
     chip_view view{};
     chip.clock_video(true, k, &view);
     if (at < first || !raster.visible_line(view.y)) continue;

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +21,11 @@ namespace racebeam {
 const std::vector<std::string>& trigger_names();
 
 /// The clock of `searched` in which it happens, found with the cores alone. `program`: nullptr is
-/// the built-in demo. Throws UsageError for an unknown name.
+/// the built-in demo. After each line `goes_on` is asked with the clocks that were simulated; if it
+/// does not, nothing is found. Throws UsageError for an unknown name.
 std::optional<TracePoint> find_trigger(const std::string& name, const TraceWindow& searched,
                                        const knobs& k, const Raster& raster,
-                                       const scene_program* program);
+                                       const scene_program* program,
+                                       const std::function<bool(std::int64_t)>& goes_on);
 
 }  // namespace racebeam

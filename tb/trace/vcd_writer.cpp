@@ -74,17 +74,17 @@ void VcdWriter::alias(const std::string& scope, const std::string& name, int sig
 void VcdWriter::step(std::uint64_t time) {
   constexpr std::size_t Enough = 1 << 16;
   if (file_ && changes_.size() > Enough) {
-    if (!headed_) changes_.insert(0, header(comment_));
-    headed_ = true;
-    file_->write(changes_.data(), changes_.size());
-    changes_.clear();
+    flush();
   }
   if (time == time_ && started_) return;
   if (time < time_) throw std::logic_error("time runs backwards");
+  if (dumping_) changes_ += "$end\n";
   char text[24] = "#";
   char* const end = std::to_chars(text + 1, text + sizeof text, time).ptr;
   *end = '\n';
   changes_.append(text, end + 1);
+  dumping_ = !started_;
+  if (dumping_) changes_ += "$dumpvars\n";
   started_ = true;
   time_ = time;
 }
@@ -137,10 +137,13 @@ std::string VcdWriter::header(const std::string& comment) const {
   return text + move(place, {}) + "$enddefinitions $end\n";
 }
 
+std::string VcdWriter::ending(std::uint64_t end) const {
+  return std::string(dumping_ ? "$end\n" : "") +
+         (end > time_ ? "#" + std::to_string(end) + "\n" : "");
+}
+
 std::string VcdWriter::text(const std::string& comment, std::uint64_t end) const {
-  std::string text = header(comment) + changes_;
-  if (end > time_) text += "#" + std::to_string(end) + "\n";
-  return text;
+  return header(comment) + changes_ + ending(end);
 }
 
 void VcdWriter::stream(OutputFile& file, const std::string& comment) {
@@ -149,10 +152,15 @@ void VcdWriter::stream(OutputFile& file, const std::string& comment) {
 }
 
 void VcdWriter::finish(std::uint64_t end) {
+  changes_ += ending(end);
+  flush();
+}
+
+void VcdWriter::flush() {
   if (!headed_) changes_.insert(0, header(comment_));
   headed_ = true;
-  if (end > time_) changes_ += "#" + std::to_string(end) + "\n";
   file_->write(changes_.data(), changes_.size());
+  written_ += changes_.size();
   changes_.clear();
 }
 

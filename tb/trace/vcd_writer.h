@@ -47,7 +47,11 @@ class VcdWriter {
   /// The end of a streamed file, which is then to be committed. Throws OutputError, as changes do.
   void finish(std::uint64_t end);
 
+  /// Written so far.
+  std::uint64_t bytes() const { return written_ + changes_.size(); }
   const std::vector<Name>& names() const { return names_; }
+  /// Signals, however many names they have.
+  std::size_t signals() const { return signals_.size(); }
   /// Of a signal; 0: words.
   int bits(int signal) const { return signals_.at(static_cast<std::size_t>(signal)).bits; }
 
@@ -63,16 +67,20 @@ class VcdWriter {
   int add_signal(const std::string& scope, const std::string& name, int bits);
   void write(std::uint64_t time, Signal& signal, std::uint64_t value);
   void step(std::uint64_t time);
+  void flush();
   std::string header(const std::string& comment) const;
+  std::string ending(std::uint64_t end) const;
 
   std::vector<Signal> signals_;
   std::vector<Name> names_;
   std::string changes_;
   std::uint64_t time_ = 0;
   bool started_ = false;
+  bool dumping_ = false;  // the values of the first time are a section of their own
   OutputFile* file_ = nullptr;
   std::string comment_;
-  bool headed_ = false;  // the header is in the file
+  std::uint64_t written_ = 0;  // bytes in the file
+  bool headed_ = false;        // the header is in the file
 };
 
 }  // namespace racebeam

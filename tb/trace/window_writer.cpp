@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/window_writer.h"
 
+#include <filesystem>
+
 #include "tb/console.h"
 #include "tb/counted.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
+#include "tb/progress.h"
+#include "tb/trace/line_progress.h"
 #include "tb/trace/transaction_bench.h"
 
 namespace racebeam {
@@ -27,7 +31,9 @@ int WindowWriter::write(ClockedRun& run, const TraceWindow& window) const {
                     vcd);
   TraceFiles files(output, picture, "racebeam: " + name, vcd);
 
+  announce(TraceSize::of_signals(last - first + 1, first - run.clock(), vcd.signals(), overview));
   std::int64_t end = first;
+  LineProgress progress(run, last, [&] { return bytes_text(static_cast<double>(vcd.bytes())); });
   if (run.go_to(first)) {
     run.each_clock([&](std::int64_t clock) {
       trace.sample(point_at(clock, raster));
@@ -37,6 +43,7 @@ int WindowWriter::write(ClockedRun& run, const TraceWindow& window) const {
     run.settle();
     run.each_clock({});
   }
+  progress.end();
   if (overview && end > last)
     tell(std::string("a long window is an overview: ") + run.left_out() +
          "; --scope '*' has all signals");
@@ -55,8 +62,28 @@ int WindowWriter::write_transactions(const knobs& k, const scene_program* progra
   VcdWriter vcd;
   TransactionTrace trace(raster, period, selection, part, vcd);
   TraceFiles files(output, picture, "racebeam: " + name, vcd);
-  const std::int64_t clocks = TransactionBench(k, program, raster, trace).run(window, interrupted);
+  announce(TraceSize::of_transactions(window.to.ordinal(raster) - window.from.ordinal(raster) + 1));
+  Progress progress(window.to.frame - window.from.frame + 1);
+  std::int64_t frames = 0;
+  const std::int64_t clocks = TransactionBench(k, program, raster, trace).run(window, [&] {
+    progress.draw(frames, static_cast<std::uint64_t>(frames * raster.frame_clocks()),
+                  bytes_text(static_cast<double>(vcd.bytes())));
+    ++frames;
+    return interrupted();
+  });
+  progress.clear();
   return finish(files, vcd, {window, raster, period, clocks, ShortTransaction});
+}
+
+void WindowWriter::announce(const TraceSize& size) const {
+  if (output.empty() || !size.is_long()) return;
+  tell(size.text(output));
+  std::error_code error;
+  const auto folder = std::filesystem::absolute(output, error).parent_path();
+  const auto space = std::filesystem::space(folder, error);
+  if (error) return;
+  if (const auto text = size.room_text(output, static_cast<double>(space.available)); !text.empty())
+    tell(text);
 }
 
 int WindowWriter::finish(TraceFiles& files, const VcdWriter& vcd, const Written& written) const {
@@ -69,7 +96,7 @@ int WindowWriter::finish(TraceFiles& files, const VcdWriter& vcd, const Written&
   const auto time = [&](std::int64_t clock) {
     return static_cast<std::uint64_t>(clock * written.period_ps);
   };
-  GtkwWindow seen{time(first), time(end), time(written.readable), {}};
+  GtkwWindow seen{time(first), time(end), time(written.readable), {}, written.window.differs};
   if (const auto& mark = written.window.mark) seen.marker = time(mark->ordinal(written.raster));
   files.commit(seen);
   const bool whole = end > written.window.to.ordinal(written.raster);

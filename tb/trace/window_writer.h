@@ -11,6 +11,7 @@
 #include "tb/trace/clocked_run.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
+#include "tb/trace/trace_size.h"
 #include "tb/trace/trace_window.h"
 
 namespace racebeam {
@@ -39,6 +40,8 @@ struct WindowWriter {
     std::int64_t clocks;
     int readable;  ///< clocks that are to be wide enough to be read
   };
+  /// Says how large a long one will be, and whether it fits.
+  void announce(const TraceSize& size) const;
   int finish(TraceFiles& files, const VcdWriter& vcd, const Written& written) const;
 };
 

@@ -93,8 +93,7 @@ const std::vector<KeyHelp>& all_help() {
       {"f5", "load the scene file again", KeyHelp::Model},
       {"m", "sound off, on"},
       {"f11", "full screen"},
-      {"h f1", "this help; a click: the command that explains a pixel", KeyHelp::Model},
-      {"h f1", "this help", KeyHelp::Tile},
+      {"h f1", "this help"},
       {"q escape", "quit"},
   };
   return rows;

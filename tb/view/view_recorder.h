@@ -10,15 +10,12 @@
 #include <vector>
 
 #include "tb/gif_writer.h"
-#include "tb/raster.h"
 #include "tb/view/rgb_image.h"
 
 namespace racebeam {
 
 class ViewRecorder {
  public:
-  static constexpr double Rate = 60;  ///< frames of the show a second
-
   explicit ViewRecorder(std::string folder) : folder_(std::move(folder)) {}
 
   /// Writes view_0060.png, or view_0060_2.png if that is there. Returns its name. Throws

@@ -94,10 +94,6 @@ class Viewer {
   void age_message(double elapsed);
   void explain();
   void press_inputs();
-  void say_changes(bool acted);
-  void say_and_tell(const std::string& message);
-  void age_message(double elapsed);
-  void explain();
   void look_for_news(double elapsed);
   void take_scene(SceneWatch::News news);
   void set_stage(Stage stage, int frame);
