@@ -18,6 +18,7 @@ namespace racebeam {
 namespace {
 
 constexpr std::uint64_t LeastSearch = 6'000'000;  // clocks
+constexpr double LongestSearch = 0.1;             // s: six frames of 60 Hz
 constexpr int MaxSpeed = 7;                       // pins
 constexpr int MaxPicturePixels = 8;               // that the picture may be early or late
 constexpr std::uint64_t LeastLine = 64, LeastLines = 100, MostFrame = 100'000'000;
