@@ -70,12 +70,10 @@ void rtl_instance::settle() {
     in.rtl.write(now);
     moved = true;
   }
-  if (moved) model().eval(model().top);
+  if (moved) library_.eval();
 }
 
-void rtl_instance::edge() {
-  if (model().rise) model().rise(model().top);
-}
+void rtl_instance::edge() { library_.rise(); }
 
 void rtl_instance::drive() {
   for (joint& out : outputs_) {

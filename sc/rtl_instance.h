@@ -15,7 +15,7 @@
 
 namespace racebeam {
 
-/// One instance of verilated RTL behind the ports of a module.
+/// One instance of verilated RTL behind the ports of a module. Whatever simulates throws RtlFault.
 class rtl_instance {
  public:
   /// Loads a plug-in and joins its ports to those of `pins` by name. Throws RtlError: no such file,

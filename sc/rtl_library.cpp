@@ -8,6 +8,8 @@
 #include <map>
 #include <sstream>
 
+#include "sc/rtl_run.h"
+
 namespace racebeam {
 
 namespace fs = std::filesystem;
@@ -27,7 +29,7 @@ std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void
                                                       const std::string& path) {
   const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make"));
   if (!maker) throw RtlError(path + " is no plug-in; make one with `racebeam verilate`");
-  rtl_model* model = maker();
+  rtl_model* model = maker(&rtl_run_host());
   return {model, model->destroy};
 }
 
@@ -40,6 +42,8 @@ std::string widths(int wanted, int got) {
 
 rtl_library::rtl_library(const std::string& plugin)
     : library_(load(plugin)), model_(make(library_, plugin)) {}
+
+void rtl_library::evaluate(void (*step)(void*)) { run_rtl(*model_, clocks_, step); }
 
 const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name) {
   for (int n = 0; n < model.port_count; ++n)

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,13 @@ namespace racebeam {
 class RtlError : public std::runtime_error {
  public:
   using runtime_error::runtime_error;
+};
+
+/// RTL whose run is over: it has ended the simulation, its logic does not settle, it does not
+/// return, it crashed, or it printed too much. Says which unit, where, and what the RTL said.
+class RtlFault : public RtlError {
+ public:
+  using RtlError::RtlError;
 };
 
 /// A port by its name. Throws RtlError if there is none.
@@ -43,9 +51,21 @@ class rtl_library {
   explicit rtl_library(const std::string& plugin);
   const rtl_model& model() const { return *model_; }
 
+  /// The inputs have changed. Throws RtlFault.
+  void eval() { evaluate(model_->eval); }
+  /// A whole clock; nothing without a clock. Throws RtlFault.
+  void rise() {
+    if (!model_->rise) return;
+    evaluate(model_->rise);
+    ++clocks_;
+  }
+
  private:
+  void evaluate(void (*step)(void*));
+
   std::shared_ptr<void> library_;
   std::unique_ptr<rtl_model, void (*)(rtl_model*)> model_;
+  std::uint64_t clocks_ = 0;
 };
 
 }  // namespace racebeam

@@ -6,6 +6,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdarg.h>
+
 extern "C" {
 
 /// A port of the top module. Its value lies in `bytes` bytes at `data`, upper bits 0.
@@ -35,6 +37,17 @@ struct rtl_model {
   void (*destroy)(rtl_model* model);
 };
 
+/// How RTL ends its own simulation.
+enum rtl_end { RtlFinish, RtlStop, RtlFatal };
+
+/// What RTL asks of the program that has loaded it; both may throw.
+struct rtl_host {
+  /// $display and its relatives.
+  void (*print)(const char* format, va_list values);
+  /// Where, and what Verilator says. Does not return.
+  void (*end)(rtl_end how, const char* file, int line, const char* message);
+};
+
 /// The one symbol of a plug-in, "rtl_make": a new instance.
-typedef rtl_model* (*rtl_maker)();
+typedef rtl_model* (*rtl_maker)(const rtl_host* host);
 }

@@ -54,11 +54,9 @@ int command_explain(const ExplainOptions& options) {
     throw UsageError(
         fmt::format("--frame {} is out of range; 0..{}", options.frame, show.frames() - 1));
   knobs k = show.standard_knobs();
+  set_knobs(k, options.assignments);
   std::string repeat = options.scene;
-  for (const std::string& assignment : options.assignments) {
-    set_knob(k, assignment);
-    repeat += " --set " + assignment;
-  }
+  for (const std::string& assignment : options.assignments) repeat += " --set " + assignment;
   if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
   const Explanation e(show, k, static_cast<int>(options.frame), pixel.column, pixel.row);
   print(options.json ? explain_json(e, k, repeat) : explain_text(e, repeat));

@@ -3,7 +3,7 @@
 #include "tb/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <functional>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -20,6 +20,7 @@
 #include "tb/command_verilate.h"
 #include "tb/command_view.h"
 #include "tb/console.h"
+#include "tb/help_text.h"
 #include "tb/nearest.h"
 #include "tb/verify_watch.h"
 #include "tb/version.h"
@@ -76,9 +77,10 @@ int run_command_line(int argc, char** argv) {
   CLI::App app("A SystemC model of a chip that ray-traces just ahead of a VGA beam.", ProgramName);
   app.set_version_flag("--version", ProgramName + (std::string(" ") + program_version()));
   app.require_subcommand(1);
+  app.formatter(std::make_shared<HelpText>());  // of the commands too, which are added later
   app.footer(
       "Exit codes: 0 good, 1 a check found a difference, 2 bad usage or input, 3 something is\n"
-      "missing on the machine, 130 interrupted.");
+      "missing on the machine, 130 interrupted, 141 nobody reads the output.");
   RenderOptions render;
   BenchOptions bench;
   VerifyOptions verify;

@@ -6,7 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "tb/number_option.h"
+
 namespace racebeam {
+
+namespace {
+
+constexpr const char* FramesRange = "1..12799 in the demo";
+constexpr const char* FirstRange = "0..12798 in the demo";
+constexpr long long MostRandomClocks = 1'000'000'000'000;
+constexpr long long LargestSeed = 0xffffffff;
+
+template <class Number>
+CLI::Option* add_number(CLI::App& command, const char* name, Number& to, const char* help,
+                        const CLI::Validator& number) {
+  return command.add_option(name, to, help)->type_name("N")->check(number);
+}
+
+}  // namespace
 
 const CLI::Validator& not_empty() {
   static const CLI::Validator validator(
@@ -21,14 +38,15 @@ void add_tt_options(CLI::App& command, TtOptions& options) {
                   "and run it")
       ->type_name("DIR")
       ->check(not_empty());
-  command.add_option("--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255")
-      ->type_name("N");
-  command.add_option("--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255")
-      ->type_name("N");
+  add_number(command, "--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255",
+             is_number("--ui", "0..255"));
+  add_number(command, "--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255",
+             is_number("--uio", "0..255"));
   command
       .add_option("--clock-hz", options.reading.clock_hz,
                   "The clock of the chip of --tt, instead of clock_hz of info.yaml")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(is_number("--clock-hz", "in Hz"));
   command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
       ->type_name("NAME[=VALUE]")
       ->allow_extra_args(false);
@@ -53,16 +71,17 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->add_option("scene", options.scene,
                    "demo: the chip's own demo, 12799 frames; or a scene file")
       ->type_name("SCENE");
-  const auto number = [&](const char* name, long long& to, const char* help) {
-    render->add_option(name, to, help)->type_name("N")->capture_default_str();
+  const auto number = [&](const char* name, long long& to, const char* range, const char* help) {
+    add_number(*render, name, to, help, is_number(name, range))->capture_default_str();
   };
   const auto file = [&](const char* name, std::string& to, const char* type, const char* help) {
     render->add_option(name, to, help)->type_name(type)->check(not_empty());
   };
-  number("--frames", options.frames, "Frames to render");
-  number("--first", options.first, "First frame, 0..12798");
-  number("--every", options.every, "Render only every Nth frame");
-  number("--jobs", options.jobs, "Processes that share the frames; the files are the same");
+  number("--frames", options.frames, FramesRange, "Frames to render");
+  number("--first", options.first, FirstRange, "First frame, 0..12798");
+  number("--every", options.every, "1..12798 in the demo", "Render only every Nth frame");
+  number("--jobs", options.jobs, "1..256",
+         "Processes that share the frames; the files are the same");
   render
       ->add_option("--level", options.level,
                    "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "
@@ -82,10 +101,13 @@ void add_render(CLI::App& app, RenderOptions& options) {
   file("-o,--output", options.folder, "DIR",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
        "asked for");
+  render->add_flag("--overwrite", options.overwrite,
+                   "Replace the frames of another render that the folder has; without it only "
+                   "frames of the same settings are added");
   file("--gif", options.gif, "FILE",
        "Animated GIF at the chip's speed, 60 frames/s; with --every, at most 0.2 s "
        "a frame");
-  number("--gif-scale", options.gif_scale, "Shrink the GIF N times in both axes, 1..8");
+  number("--gif-scale", options.gif_scale, "1..8", "Shrink the GIF N times in both axes, 1..8");
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
   file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
   file("--stats", options.stats, "FILE.json", "Statistics");
@@ -116,13 +138,11 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* bench = app.add_subcommand("bench", "Measure simulated clocks a second");
   bench->add_option("row", options.rows, "Only these: levels, traces, mixes, or units")
       ->type_name("ROW");
-  bench->add_option("--frames", options.frames, "Frames of each demo part")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
+  add_number(*bench, "--frames", options.frames, "Frames of each demo part, 1..1000",
+             is_number_in("--frames", 1, 1000))
       ->capture_default_str();
-  bench->add_option("--repeat", options.repeats, "Runs of which the median counts")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100))
+  add_number(*bench, "--repeat", options.repeats, "Runs of which the median counts, 1..100",
+             is_number_in("--repeat", 1, 100))
       ->capture_default_str();
   bench->add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
@@ -133,17 +153,19 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
       ->add_option("unit", options.units,
                    "UNIT; UNIT=FILE.sv, UNIT=A.sv+B.sv, UNIT=LIST.f, UNIT=FOLDER; or all")
       ->type_name("UNIT");
-  verify->add_option("--scene", options.scene, "demo, or a scene file")->capture_default_str();
-  verify->add_option("--frames", options.frames, "Frames of the chip, spread over the scene")
-      ->type_name("N")
+  verify->add_option("--scene", options.scene, "demo, or a scene file")
+      ->type_name("SCENE")
       ->capture_default_str();
-  verify->add_option("--random", options.random, "Clocks of random traffic for each unit")
-      ->type_name("N")
+  add_number(*verify, "--frames", options.frames, "Frames of the chip, spread over the scene",
+             is_number("--frames", "0..12799 in the demo"))
+      ->capture_default_str();
+  add_number(*verify, "--random", options.random, "Clocks of random traffic for each unit",
+             is_number_in("--random", 0, MostRandomClocks))
       ->capture_default_str();
   verify->add_option("--set", options.assignments, "Change a knob: see `racebeam knobs`")
       ->type_name("KNOB=VALUE");
-  verify->add_option("--seed", options.seed, "Of the random traffic")
-      ->type_name("N")
+  add_number(*verify, "--seed", options.seed, "Of the random traffic",
+             is_number_in("--seed", 0, LargestSeed))
       ->capture_default_str();
   verify->add_option("-o,--output", options.folder, "Folder for the waveforms of differences")
       ->type_name("DIR")
@@ -197,9 +219,9 @@ void add_scene(CLI::App& app, SceneOptions& options) {
   add("show", "Counts, widths and an estimate of the worst line")
       ->add_flag("--json", options.json, "JSON on stdout instead of the text");
   add("plan", "Draw rooms, portals and the camera's way")
-      ->add_option("-o,--output", options.picture, "Picture")
+      ->add_option("-o,--output", options.picture, "Picture: FILE.png or FILE.svg")
       ->required()
-      ->type_name("FILE.png")
+      ->type_name("FILE")
       ->check(not_empty());
   add("new", "Write a scene to start from");
   CLI::App* notes = scene->add_subcommand(
@@ -211,18 +233,18 @@ void add_scene(CLI::App& app, SceneOptions& options) {
       ->required()
       ->type_name("FILE.md")
       ->check(not_empty());
-  notes->add_option("--frames", options.frames, "Frames of each scene, spread evenly over it")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
+  add_number(*notes, "--frames", options.frames, "Frames of each scene, spread evenly over it",
+             is_number_in("--frames", 1, 1000))
       ->capture_default_str();
 }
 
 void add_view(CLI::App& app, ViewOptions& options) {
   CLI::App* view = app.add_subcommand("view", "Watch a scene in a window, with sound (F1: keys)");
   view->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
-  view->add_option("--first", options.first, "First frame")->type_name("N")->capture_default_str();
-  view->add_option("--frames", options.frames, "End after so many frames, and leave out none")
-      ->type_name("N");
+  add_number(*view, "--first", options.first, "First frame", is_number("--first", FirstRange))
+      ->capture_default_str();
+  add_number(*view, "--frames", options.frames, "End after so many frames, and leave out none",
+             is_number("--frames", "1 or more"));
   view->add_option("--level", options.level,
                    "tlm: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
                    "own speed; tlm without --use")
@@ -248,8 +270,8 @@ void add_view(CLI::App& app, ViewOptions& options) {
       ->capture_default_str();
   view->add_option("--keys", options.keys, "Keys to press, one after each picture: \"1 g t o\"")
       ->type_name("NAMES");
-  view->add_option("--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well")
-      ->type_name("N")
+  add_number(*view, "--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well",
+             is_number("--scale", "0..8"))
       ->capture_default_str();
   view->add_flag("--term", options.terminal,
                  "In this terminal, in 24-bit colours, instead of a window; with --frames also as "
@@ -263,9 +285,9 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
   explain->add_option("scene", options.scene, "demo, or a scene file")
       ->required()
       ->type_name("SCENE");
-  explain->add_option("--frame", options.frame, "Frame of the scene, from 0")
-      ->required()
-      ->type_name("F");
+  add_number(*explain, "--frame", options.frame, "Frame of the scene, from 0",
+             is_number("--frame", FirstRange))
+      ->required();
   explain
       ->add_option("--pixel", options.pixel,
                    "Pixel of the picture: 0..639,0..479 from the top left")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tb/command_options.h"
+#include "tb/number_option.h"
 
 namespace racebeam {
 
@@ -47,7 +48,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
        "The first clock in which it is true instead: 'u_subdivider.sd_q == 4 && line == 240'; "
        "looked for as --around is");
   const auto number = [&](const char* name, auto& to, const char* help) {
-    return trace->add_option(name, to, help)->type_name("N");
+    return trace->add_option(name, to, help)->type_name("N")->check(is_number(name, "0 or more"));
   };
   number("--lines", options.lines, "Lines before and after the one of --around or --when")
       ->default_str("1");
@@ -59,8 +60,7 @@ void add_trace(CLI::App& app, TraceOptions& options) {
   list("--scope", options.scopes, "GLOB",
        "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
        "repeatable; with --diff, only these are compared");
-  trace->add_option("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
-      ->type_name("N")
+  number("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
       ->capture_default_str();
   add_tt_options(*trace, options);
   list("--set", options.assignments, "KNOB=VALUE", "Set a knob (`racebeam knobs`); repeatable");

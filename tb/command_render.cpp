@@ -98,14 +98,18 @@ int command_render(const RenderOptions& options) {
   });
   Against against(plan.against);
   StatsReport report(plan.show.name(), plan.level, plan.k);
-  files.run([&] { render_frames(plan, frames, track ? &*track : nullptr, files, report, against); },
-            track  ? &track->sound()
-            : chip ? chip->bench().sound()
-                   : nullptr,
-            [&] { return report.text(against.json()); });
-  if (chip) chip->finish();
+  files.run(
+      [&] {
+        render_frames(plan, frames, track ? &*track : nullptr, files, report, against);
+        if (chip) chip->finish();
+      },
+      track  ? &track->sound()
+      : chip ? chip->bench().sound()
+             : nullptr,
+      [&] { return report.text(against.json()); });
   if (plan.json) print(report.text(against.json()));
   else if (report.frames() > 1) print(table_total(report));
+  if (!plan.json && report.golden()) print(golden_table(*report.golden()));
   const bool wrong_units = chip && report_locksteps(plan, options, chip->bench(), report.frames());
   const bool differs = against.report(plan.json) || wrong_units;
   const bool whole = report.frames() == plan.frames;

@@ -4,16 +4,16 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tb/console.h"
 #include "tb/errors.h"
-#include "tb/image_files.h"
 #include "tb/line_estimate.h"
 #include "tb/open_show.h"
 #include "tb/output_file.h"
-#include "tb/scene/plan_picture.h"
+#include "tb/scene/plan_drawing.h"
 #include "tb/scene/scene_check.h"
 #include "tb/scene/scene_sight.h"
 #include "tb/scene/starter_scene.h"
@@ -89,7 +89,9 @@ std::string table(const nlohmann::ordered_json& scene) {
 }  // namespace
 
 int command_scene_check(const SceneOptions& options) {
-  const SceneFile scene = load_scene(options.file);
+  std::string warnings;
+  const SceneFile scene = load_scene(options.file, &warnings);
+  std::fputs(warnings.c_str(), stderr);
   print(fmt::format("good: {} rooms, {} portals\n", scene.rooms.size(), count_portals(scene)));
   return ExitGood;
 }
@@ -104,11 +106,14 @@ int command_scene_show(const SceneOptions& options) {
 }
 
 int command_scene_plan(const SceneOptions& options) {
+  const std::string kind = extension_of(options.picture);
+  if (kind != ".png" && kind != ".svg")
+    throw UsageError("scene plan writes .png or .svg; rename " + options.picture);
   const SceneFile scene = load_scene(options.file);
-  const Canvas canvas = draw_plan(scene);
-  write_png(options.picture, canvas.colours(), canvas.width(), canvas.height());
-  tell(fmt::format("wrote {}, {} x {} pixels: from above, north up; below it from the south",
-                   options.picture, canvas.width(), canvas.height()));
+  const PlanDrawing plan = draw_plan(scene, kind == ".svg" ? PlanFormat::Svg : PlanFormat::Png);
+  write_text(options.picture, plan.bytes);
+  tell(fmt::format("wrote {}, {} x {} pixels: each storey from above, and all from the south",
+                   options.picture, plan.width, plan.height));
   return ExitGood;
 }
 

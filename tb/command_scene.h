@@ -18,11 +18,13 @@ struct SceneOptions {
   int frames = 12;                  ///< of each scene, for `scene notes`
 };
 
-/// "good: N rooms, M portals". This and the next two throw UsageError if the scene has faults.
+/// "good: N rooms, M portals"; warnings go to stderr. This and the next two throw UsageError if the
+/// scene has faults.
 int command_scene_check(const SceneOptions& options);
 /// Counts, widths and an estimate of the worst line.
 int command_scene_show(const SceneOptions& options);
-/// Views from above and from the south as PNG. Throws OutputError.
+/// Views of the storeys from above and from the south, as PNG or SVG by the name. Throws
+/// OutputError.
 int command_scene_plan(const SceneOptions& options);
 /// Writes a scene to start from. Throws UsageError if the file exists, OutputError.
 int command_scene_new(const SceneOptions& options);

@@ -108,7 +108,7 @@ int command_trace(const TraceOptions& options) {
         "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
   const Show show = open_show(options.scene);
   SignalBench::Options setting{show.standard_knobs()};
-  for (const std::string& assignment : options.assignments) set_knob(setting.k, assignment);
+  set_knobs(setting.k, options.assignments);
   if (const std::string why = show.objection(setting.k); !why.empty()) throw UsageError(why);
   setting.program = show.program();
   const Raster raster(setting.k.clocks_per_pixel, setting.k.speed);

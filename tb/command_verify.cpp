@@ -31,7 +31,8 @@ using Json = nlohmann::ordered_json;
 
 bool all_differ(const SignalBench& bench) {
   const auto units = bench.locksteps();
-  return std::all_of(units.begin(), units.end(), [](auto* unit) { return unit->first(); });
+  return std::all_of(units.begin(), units.end(),
+                     [](auto* unit) { return unit->first() || unit->fault(); });
 }
 
 /// What the user wrote of a unit, for a command that repeats a run.
@@ -58,18 +59,23 @@ std::string closer_text(const VerifyOptions& options, const std::string& unit, i
   return trace_command(options.scene, frame, unit, rest);
 }
 
-/// All units at once, in the chip, over frames spread over the show, until each has differed.
+/// All units at once, in the chip, over frames spread over the show, until each has differed or
+/// ended.
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
                                         const knobs& k, const unit_choices& choices) {
   const auto start = std::chrono::steady_clock::now();
-  SignalBench bench({k, false, false, false, show.program(), choices});
+  SignalBench bench({k, false, false, false, show.program(), choices, false, nullptr, true});
   const Raster raster(k.clocks_per_pixel, k.speed);
   std::vector<int> frames;
   Progress progress(static_cast<int>(options.frames));
   for (int i = 0; i < options.frames && !interrupted() && !all_differ(bench); ++i) {
     frames.push_back(static_cast<int>(i * show.frames() / options.frames));
     bench.seek(frames.back());
-    bench.render();
+    try {
+      bench.render();
+    } catch (const Interrupted&) {
+      break;
+    }
     progress.draw(i + 1, bench.clocks());
   }
   progress.clear();
@@ -77,8 +83,14 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::vector<UnitVerdict> verdicts;
   for (const Lockstep* unit : bench.locksteps()) {
-    UnitVerdict verdict{unit->unit(), "chip", unit->clocks(), unit->masked(), unit->differences(),
-                        seconds,      {}};
+    UnitVerdict verdict{unit->unit(),
+                        "chip",
+                        unit->clocks(),
+                        unit->masked(),
+                        unit->differences(),
+                        seconds,
+                        {},
+                        unit->fault().value_or("")};
     if (const auto& d = unit->first()) {
       const BeamPlace place = place_of(d->clock, frames, raster);
       const DifferenceContext context{
@@ -96,16 +108,22 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
 /// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
 UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
                          std::uint64_t clocks, const std::function<void(std::uint64_t)>& compared) {
-  const std::string text = forked([&] {
-    try {
-      return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
-                                 options.folder, repeat_text(options, dut.unit, 0, options.random),
-                                 compared))
-          .dump();
-    } catch (const RtlError& error) {
-      return Json{{"refused", error.what()}}.dump();
-    }
-  });
+  std::string text;
+  try {
+    text = forked([&] {
+      try {
+        return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
+                                   options.folder,
+                                   repeat_text(options, dut.unit, 0, options.random), compared))
+            .dump();
+      } catch (const RtlError& error) {
+        return Json{{"refused", error.what()}}.dump();
+      }
+    });
+  } catch (const ChildDied& death) {
+    return {dut.unit,    stimulus == Stimulus::Random ? "random" : "walk", 0, 0, 0, 0, {},
+            death.what()};
+  }
   const Json answer = Json::parse(text);
   if (answer.contains("refused")) throw RtlError(answer["refused"]);
   return verdict_of(answer);
@@ -131,10 +149,14 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
   for (const auto& [unit, choice] : choices.by_unit) {
     if (unit == WholeChip) continue;  // the whole chip has its own traffic only
     const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
-    if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
-      verify(dut, Stimulus::Walk, clocks);
-    if (interrupted()) break;
-    verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
+    try {
+      if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
+        verify(dut, Stimulus::Walk, clocks);
+      if (interrupted()) break;
+      verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
+    } catch (const Interrupted&) {
+      break;
+    }
   }
   return verdicts;
 }
@@ -147,7 +169,7 @@ int command_verify(const VerifyOptions& options) {
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  show.frames()));
   knobs k = show.standard_knobs();
-  for (const std::string& assignment : options.assignments) set_knob(k, assignment);
+  set_knobs(k, options.assignments);
   if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
   const UseOption use(k, show.program());
   unit_choices choices;
@@ -156,14 +178,17 @@ int command_verify(const VerifyOptions& options) {
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;
   if (options.random > 0) verdicts = verify_at_random(options, show, k, choices);
-  if (options.frames > 0 && !interrupted())
+  for (const UnitVerdict& verdict : verdicts)
+    if (!verdict.fault.empty()) choices.by_unit.erase(verdict.unit);
+  if (options.frames > 0 && !interrupted() && !choices.by_unit.empty())
     for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
       verdicts.push_back(verdict);
 
-  bool differs = false;
+  bool differs = false, faulty = false;
   Json json = Json::array();
   for (const UnitVerdict& verdict : verdicts) {
     differs |= verdict.differences > 0;
+    faulty |= !verdict.fault.empty();
     json.push_back(to_json(verdict));
   }
   if (options.json) {
@@ -174,9 +199,12 @@ int command_verify(const VerifyOptions& options) {
   } else {
     print(verdict_table(verdicts));
   }
-  for (const UnitVerdict& verdict : verdicts)
+  for (const UnitVerdict& verdict : verdicts) {
     if (verdict.first) tell_difference(verdict.first->text);
+    if (!verdict.fault.empty()) tell(verdict.unit + ": " + verdict.fault);
+  }
   if (interrupted()) return ExitInterrupted;
+  if (faulty) return ExitUsage;
   return differs ? ExitDifference : ExitGood;
 }
 

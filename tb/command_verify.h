@@ -21,7 +21,8 @@ struct VerifyOptions {
   bool json = false;
 };
 
-/// Prints a table of units. Returns ExitDifference if one differs. Throws UsageError, RtlError,
+/// Prints a table of units. Returns ExitUsage if RTL has ended before its
+/// comparison, otherwise ExitDifference if one differs. Throws UsageError, RtlError,
 /// MissingTool.
 int command_verify(const VerifyOptions& options);
 

@@ -42,7 +42,7 @@ std::string level_of(const ViewOptions& options) {
 
 knobs knobs_of(const ViewOptions& options, const Show& show) {
   knobs k = show.standard_knobs();
-  for (const std::string& assignment : options.assignments) set_knob(k, assignment);
+  set_knobs(k, options.assignments);
   if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
   return k;
 }
@@ -101,6 +101,7 @@ void start_again(const ViewOptions& options, const Viewer& viewer) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  give_back_stdout();
   execv("/proc/self/exe", arguments.data());
   throw UsageError("the program cannot be started again with the changed scene");
 }
@@ -154,6 +155,8 @@ int command_view(const ViewOptions& options) {
     code = run_view(viewer, *screen, keys);
   } catch (const StartAgain&) {
     again = true;
+  } catch (const Interrupted&) {
+    code = ExitInterrupted;
   }
   screen.reset();
   if (const std::string said = viewer.end(); !said.empty()) tell(said);

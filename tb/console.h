@@ -8,7 +8,17 @@
 
 namespace racebeam {
 
-/// Writes results at once. Throws OutputError, also if the reader is gone or the disk is full.
+/// From now on stdout is for print() alone: what anybody else writes there, such as RTL, a library
+/// or a program that is started, goes to stderr.
+void keep_stdout();
+
+/// For a program that takes this one's place: stdout is as it was.
+void give_back_stdout();
+
+/// The file that print() writes to.
+int stdout_file();
+
+/// Writes results at once. Throws OutputError, as on a full disk; ClosedPipe if the reader is gone.
 void print(std::string_view text);
 
 /// One line for the user, on stderr, after "racebeam: ".

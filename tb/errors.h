@@ -14,6 +14,7 @@ enum ExitCode {
   ExitUsage = 2,       ///< bad input or usage, or a file that cannot be written
   ExitMissing = 3,     ///< something is missing on the machine
   ExitInterrupted = 130,
+  ExitPipe = 141,  ///< nobody reads what it prints, as a command that SIGPIPE ends
 };
 
 /// The caller asked for something that does not exist; says what to do instead. Exit code 2.

@@ -2,21 +2,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/forked.h"
 
+#include <poll.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
-#include <stdexcept>
+
+#include "tb/child.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
 namespace {
 
-std::string read_all(int file) {
+constexpr int Pause = 100;  // milliseconds
+constexpr int Failed = 1;   // exit code: the answer is an error
+
+/// What a child writes until it closes its end. An interrupt is passed on to it, which may have
+/// come to us alone.
+std::string answer_of(pid_t child, int file) {
   std::string text;
-  char buffer[4096];
+  bool told = false;
   for (;;) {
+    if (interrupted() && !told) {
+      told = true;
+      time_to_finish();
+      kill(child, SIGTERM);
+    }
+    pollfd waits{file, POLLIN, 0};
+    if (poll(&waits, 1, Pause) <= 0) continue;  // the signal may come just before poll()
+    char buffer[4096];
     const ssize_t got = read(file, buffer, sizeof buffer);
     if (got == 0 || (got < 0 && errno != EINTR)) return text;
     if (got > 0) text.append(buffer, static_cast<std::size_t>(got));
@@ -36,9 +53,8 @@ bool write_all(int file, const std::string& bytes) {
 
 std::string forked(const std::function<std::string()>& work) {
   int pipe_ends[2];
-  std::fflush(nullptr);
   if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe to a child process");
-  const pid_t child = fork();
+  const pid_t child = fork_child();
   if (child < 0) throw std::runtime_error("no child process");
   if (child == 0) {
     close(pipe_ends[0]);
@@ -48,19 +64,19 @@ std::string forked(const std::function<std::string()>& work) {
       answer = work();
     } catch (const std::exception& error) {
       answer = error.what();
-      status = 1;
+      status = Failed;
     }
     write_all(pipe_ends[1], answer);
     _exit(status);
   }
   close(pipe_ends[1]);
-  const std::string answer = read_all(pipe_ends[0]);
+  const std::string answer = answer_of(child, pipe_ends[0]);
   close(pipe_ends[0]);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status != 0) throw std::runtime_error(answer.empty() ? "a child process died" : answer);
-  return answer;
+  const int status = wait_for_child(child);
+  if (status == 0) return answer;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == Failed) throw std::runtime_error(answer);
+  if (interrupted()) throw Interrupted();
+  throw ChildDied(death_of("a child process", status));
 }
 
 }  // namespace racebeam

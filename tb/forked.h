@@ -5,12 +5,20 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace racebeam {
 
+/// Says how.
+class ChildDied : public std::runtime_error {
+ public:
+  using runtime_error::runtime_error;
+};
+
 /// Runs `work` in a child and returns what it returns. An exception there is thrown here as a
-/// std::runtime_error of the same text.
+/// std::runtime_error of the same text; a child that dies as ChildDied. A child is told of an
+/// interrupt, and has the time to answer.
 std::string forked(const std::function<std::string()>& work);
 
 /// Writes all bytes to a pipe; false if its reader is gone.

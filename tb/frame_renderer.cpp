@@ -30,6 +30,21 @@ PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::
                                 fmt::format("{} frame {}", plan.show.name(), frame.number)))};
 }
 
+// With what the colours mean below.
+PictureFile difference_file(int frame, const GoldenPicture& difference) {
+  constexpr int Height = 20, Square = 12, Left = 8, Words = 6, Column = 210;
+  constexpr std::pair<int, const char*> meanings[] = {
+      {60, "not as trace4"}, {15, "else not as trace2"}, {51, "else not as geometry"}};
+  RgbImage picture(difference, VisibleColumns, VisibleRows, VisibleColumns, VisibleRows + Height);
+  int left = Left;
+  for (const auto& [colour, words] : meanings) {
+    picture.fill(left, VisibleRows + 4, Square, Square, rgb_of(colour));
+    picture.text(left + Square + Words, VisibleRows + 3, words, {225, 225, 225});
+    left += Column;
+  }
+  return {fmt::format("difference_{:04}.png", frame), png_bytes(picture)};
+}
+
 }  // namespace
 
 FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
@@ -58,7 +73,7 @@ RenderedFrame FrameRenderer::render(int index) {
   const GoldenReport found =
       golden_compare(plan_.show, frame.number, plan_.k, frame.picture.colours);
   rendered.golden = found.counts;
-  if (folder) rendered.files.push_back(picture_file("difference", frame.number, found.difference));
+  if (folder) rendered.files.push_back(difference_file(frame.number, found.difference));
   return rendered;
 }
 

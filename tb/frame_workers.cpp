@@ -4,15 +4,16 @@
 
 #include <poll.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "sc/rtl_library.h"
+#include "tb/child.h"
+#include "tb/errors.h"
 #include "tb/forked.h"
 #include "tb/interrupt.h"
 
@@ -49,12 +50,11 @@ bool FrameWorkers::Worker::whole() const {
 
 FrameWorkers::FrameWorkers(int jobs, int frames, const std::function<Render()>& prepare)
     : frames_(frames) {
-  std::fflush(nullptr);
   workers_.resize(static_cast<std::size_t>(jobs));
   for (std::size_t number = 0; number < workers_.size(); ++number) {
     int ends[2];
     if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process");
-    const pid_t child = fork();
+    const pid_t child = fork_child();
     if (child < 0) throw std::runtime_error("no child process");
     if (child == 0) {
       for (std::size_t other = 0; other < number; ++other) close(workers_[other].pipe);
@@ -70,9 +70,9 @@ FrameWorkers::FrameWorkers(int jobs, int frames, const std::function<Render()>& 
 FrameWorkers::~FrameWorkers() {
   for (const Worker& worker : workers_) {
     close(worker.pipe);
+    if (worker.process == 0) continue;
     kill(worker.process, SIGKILL);  // it writes no files
-    while (waitpid(worker.process, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    wait_for_child(worker.process);
   }
 }
 
@@ -86,6 +86,8 @@ void FrameWorkers::work(std::size_t number, int pipe,
       if (index / Range % workers_.size() != number) continue;
       if (!write_all(pipe, record(Frame, render(index).bytes()))) return;
     }
+    return;
+  } catch (const Interrupted&) {
     return;
   } catch (const SyncError& error) {
     last = record(Sync, error.what());
@@ -106,7 +108,8 @@ void FrameWorkers::receive() {
     pipes.push_back({worker.pipe, POLLIN, 0});
     readers.push_back(&worker);
   }
-  if (poll(pipes.data(), pipes.size(), -1) < 0) return;
+  constexpr int Pause = 100;  // milliseconds: a signal may come just before
+  if (poll(pipes.data(), pipes.size(), Pause) <= 0) return;
   static std::vector<char> buffer(1 << 20);
   for (std::size_t i = 0; i < pipes.size(); ++i) {
     if (!pipes[i].revents) continue;
@@ -120,7 +123,9 @@ std::optional<RenderedFrame> FrameWorkers::next() {
   Worker& worker = worker_of(next_++);
   while (!worker.whole()) {
     if (interrupted()) return {};
-    if (worker.closed) throw std::runtime_error("a process that rendered frames died");
+    if (worker.closed)
+      throw_death("a process that rendered frames",
+                  wait_for_child(std::exchange(worker.process, 0)));
     receive();
   }
   const Header header = header_of(worker.received);

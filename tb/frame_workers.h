@@ -31,7 +31,8 @@ class FrameWorkers {
   FrameWorkers& operator=(const FrameWorkers&) = delete;
 
   /// The next frame. Throws SyncError and RtlError as thrown in a process, std::runtime_error for
-  /// any other error there, and if a process died. Nothing, perhaps, once interrupted().
+  /// any other error there, and, or MissingTool, if a process died. Nothing, perhaps, once
+  /// interrupted().
   std::optional<RenderedFrame> next();
 
  private:

@@ -8,6 +8,7 @@
 #include "sc/rtl_library.h"
 #include "tb/console.h"
 #include "tb/errors.h"
+#include "tb/interrupt.h"
 #include "tb/output_file.h"
 #include "tb/vga_monitor.h"
 
@@ -21,7 +22,9 @@ int guarded(const std::function<int()>& work) {
     return ExitUsage;
   } catch (const RtlError& error) {
     tell(error.what());
-    return ExitUsage;
+    return interrupted() ? ExitInterrupted : ExitUsage;
+  } catch (const ClosedPipe&) {
+    return ExitPipe;
   } catch (const OutputError& error) {
     tell(error.what());
     tell("choose another place, or free some space");

@@ -11,9 +11,33 @@ Lockstep::Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
                    const sc_core::sc_module& model, const knobs& k, const std::string& plugin)
     : sc_module(name), unit_(unit), rtl_(plugin, unit, ports_of(model), k) {
   SC_HAS_PROCESS(Lockstep);
-  SC_METHOD(compare);
+  SC_METHOD(clock);
   sensitive << clk_i.pos();
   dont_initialize();
+}
+
+template <class Work>
+void Lockstep::guarded(const Work& work) {
+  if (fault_) return;
+  try {
+    work();
+  } catch (const RtlFault& fault) {
+    if (!outlives_) throw;
+    fault_ = fault.what();
+  }
+}
+
+void Lockstep::settle() {
+  guarded([this] { rtl_.settle(); });
+}
+void Lockstep::deposit_frame(int frame) {
+  guarded([&] { rtl_.seek(frame); });
+}
+void Lockstep::deposit_place(const vec3& position, int room) {
+  guarded([&] { rtl_.place(position, room); });
+}
+void Lockstep::clock() {
+  guarded([this] { compare(); });
 }
 
 // At the edge the wires still have the settled values of the clock that ends.

@@ -63,17 +63,21 @@ class Lockstep : public sc_core::sc_module, public probed {
   /// Clocks in which some output differed.
   std::uint64_t differences() const { return differences_; }
   const std::optional<LockstepDifference>& first() const { return first_; }
+  /// From now on RTL that faults is left alone, instead of an RtlFault: the model goes on.
+  void outlive_faults() { outlives_ = true; }
+  /// What the RTL ended with, if it has.
+  const std::optional<std::string>& fault() const { return fault_; }
   /// The next difference is the first one.
   void forget() { first_.reset(); }
 
   /// The RTL's side: outputs and, where they can be read, signals inside. To be read after
   /// settle(), when the wires have settled.
   std::vector<probe> probes() const override;
-  void settle() { rtl_.settle(); }
+  void settle();
 
   /// The back doors, as the model's.
-  void deposit_frame(int frame) { rtl_.seek(frame); }
-  void deposit_place(const vec3& position, int room) { rtl_.place(position, room); }
+  void deposit_frame(int frame);
+  void deposit_place(const vec3& position, int room);
   /// Compares the wiring inside as well; for racebeam_top beside a chip. Throws RtlError.
   void check_wiring(const sc_core::sc_module& chip) { wiring_.emplace(rtl_, chip); }
   WiringCheck* wiring() { return wiring_ ? &*wiring_ : nullptr; }
@@ -83,7 +87,10 @@ class Lockstep : public sc_core::sc_module, public probed {
   void invert(const std::string& port, int bit, std::uint64_t clock);
 
  private:
+  void clock();
   void compare();
+  template <class Work>
+  void guarded(const Work& work);
   void remember();
   LockstepDifference difference(std::size_t output, int expected, int got) const;
 
@@ -100,6 +107,8 @@ class Lockstep : public sc_core::sc_module, public probed {
   std::uint64_t clocks_ = 0, differences_ = 0;
   std::optional<LockstepDifference> first_;
   std::optional<Inversion> inversion_;
+  bool outlives_ = false;
+  std::optional<std::string> fault_;
 };
 
 }  // namespace racebeam

@@ -12,6 +12,7 @@
 #include "tb/command_line.h"
 #include "tb/console.h"
 #include "tb/guarded.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
@@ -26,6 +27,8 @@ void report(const sc_core::sc_report& message, const sc_core::sc_actions& action
 
 int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_handler(report);
+  keep_stdout();
+  end_on_interrupts();
   return guarded([&] { return run_command_line(argc, argv); });
 }
 
@@ -39,5 +42,6 @@ int sc_main(int argc, char** argv) { return racebeam::run(argc, argv); }
 int main(int argc, char** argv) {
   setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
   signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write
+  signal(SIGPIPE, SIG_IGN);  // and so is a reader that has gone: see ClosedPipe
   return sc_core::sc_elab_and_sim(argc, argv);
 }

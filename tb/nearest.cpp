@@ -24,10 +24,27 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+// The shortest known name that begins with `name`, or else holds it; empty if none does.
+std::string completed(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t Shortest = 3;  // fewer letters are in many names
+  std::string best;
+  bool begins = false;
+  if (name.size() < Shortest) return best;
+  for (const std::string& candidate : known) {
+    const std::size_t at = candidate.find(name);
+    if (at == std::string::npos || (begins && at > 0)) continue;
+    if (!best.empty() && begins == (at == 0) && candidate.size() >= best.size()) continue;
+    best = candidate;
+    begins = at == 0;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::string nearest(const std::string& name, const std::vector<std::string>& known) {
-  std::string best;
+  std::string best = completed(name, known);
+  if (!best.empty()) return best;
   std::size_t best_distance = name.size() / 2 + 1;  // more than that is a different word
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(name, candidate);

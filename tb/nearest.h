@@ -11,7 +11,8 @@
 
 namespace racebeam {
 
-/// The known name that needs the fewest edits; empty if none is close or none is known.
+/// The known name that begins with `name` or holds it, or else the one that needs the fewest edits;
+/// empty if none is close or none is known.
 std::string nearest(const std::string& name, const std::vector<std::string>& known);
 
 /// "unknown KIND 'NAME'; did you mean 'NEAREST'?" followed by all known names.

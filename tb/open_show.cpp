@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/open_show.h"
 
-#include <fmt/format.h>
-#include <xxhash.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
 
+#include "tb/content_hash.h"
 #include "tb/counted.h"
 #include "tb/nearest.h"
 #include "tb/scene/scene_reader.h"
@@ -22,13 +20,6 @@ namespace {
 
 constexpr const char* BuiltIn = "demo";
 constexpr const char* Extension = ".toml";
-
-SceneResult load(const std::string& file) {
-  SceneResult result = read_scene_file(file);
-  if (result.faults.none()) return result;
-  std::fputs(result.faults.text(file).c_str(), stderr);
-  throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
-}
 
 // Names that were perhaps meant: the built-in demo, and the scene files beside `file` and in
 // scenes.
@@ -45,17 +36,32 @@ std::vector<std::string> known_scenes(const fs::path& file) {
   return known;
 }
 
+SceneResult load(const std::string& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) throw unknown_name("scene", file, known_scenes(file));
+  SceneResult result = read_scene_file(file);
+  if (result.faults.none()) return result;
+  std::fputs(result.faults.text(file).c_str(), stderr);
+  throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
+}
+
 }  // namespace
 
-SceneFile load_scene(const std::string& file) { return load(file).scene; }
+SceneFile load_scene(const std::string& file, std::string* warnings) {
+  std::error_code error;
+  if (file == BuiltIn && !fs::exists(file, error))
+    throw UsageError(
+        "demo is built into the chip and no file; its rooms and its flight as a scene file: "
+        "scenes/demo.toml");
+  SceneResult result = load(file);
+  if (warnings) *warnings = result.faults.warnings(file);
+  return std::move(result.scene);
+}
 
 Show open_show(const std::string& scene) {
   if (scene == BuiltIn) return {};
-  std::error_code error;
-  if (!fs::exists(scene, error)) throw unknown_name("scene", scene, known_scenes(scene));
   SceneResult result = load(scene);
-  return {std::move(result.scene),
-          fmt::format("xxh64 {:016x}", XXH64(result.text.data(), result.text.size(), 0))};
+  return {std::move(result.scene), content_hash(result.text)};
 }
 
 }  // namespace racebeam

@@ -10,11 +10,11 @@
 
 namespace racebeam {
 
-/// Reads a scene file. Throws UsageError after all its faults are on stderr.
-SceneFile load_scene(const std::string& file);
+/// Reads a scene file. Throws UsageError after all its faults are on stderr, or naming the nearest
+/// file. `warnings` gets the text of those that there are.
+SceneFile load_scene(const std::string& file, std::string* warnings = nullptr);
 
-/// "demo": the built-in demo; else a scene file. Throws UsageError as load_scene does, or naming
-/// the nearest file.
+/// "demo": the built-in demo; else a scene file. Throws UsageError as load_scene does.
 Show open_show(const std::string& scene);
 
 }  // namespace racebeam

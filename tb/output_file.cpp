@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/output_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -10,6 +11,10 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+
+#include "tb/errors.h"
+#include "tb/interrupt.h"
+#include "tb/leftovers.h"
 
 namespace racebeam {
 
@@ -26,6 +31,27 @@ std::string extension_of(const std::string& path) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
+
+namespace {
+
+/// A pipe without a reader is waited for, but not for ever: the user may want to stop.
+std::FILE* open_file(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_fifo(path, error)) return std::fopen(path.c_str(), "wb");
+  constexpr int Pause = 20'000;  // microseconds
+  for (;;) {
+    const int file = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file >= 0) {
+      fcntl(file, F_SETFL, O_WRONLY);
+      return fdopen(file, "wb");
+    }
+    if (errno != ENXIO) return nullptr;
+    if (interrupted()) throw Interrupted();
+    usleep(Pause);
+  }
+}
+
+}  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   static std::atomic<int> serial{0};
@@ -47,7 +73,8 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (!fs::is_directory(folder, error)) {
     throw OutputError(path, fs::exists(folder, error) ? ENOTDIR : ENOENT, "");
   }
-  const std::string name = "." + target.stem().string() + "." + std::to_string(getpid()) + "-" +
+  remove_leftovers(folder.string());
+  const std::string name = "." + target.stem().string() + "." + owner_mark() + "-" +
                            std::to_string(++serial) + target.extension().string();
   temporary_ = (target.has_parent_path() ? folder / name : fs::path(name)).string();
 }
@@ -64,7 +91,7 @@ void OutputFile::remove_temporary() {
 
 void OutputFile::write(const void* data, std::size_t size) {
   errno = 0;
-  if (!stream_) stream_ = std::fopen(temporary_.c_str(), "wb");
+  if (!stream_) stream_ = open_file(temporary_);
   if (!stream_) throw OutputError(path_, errno, "cannot open");
   if (std::fwrite(data, 1, size, stream_) != size) throw OutputError(path_, errno, "short write");
 }

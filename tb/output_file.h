@@ -26,6 +26,11 @@ class OutputError : public std::runtime_error {
   OutputError(const std::string& path, int error, const std::string& otherwise);
 };
 
+/// Whoever reads the standard output has gone, as `head` does: nothing to say, exit code 141.
+class ClosedPipe : public OutputError {
+  using OutputError::OutputError;
+};
+
 /// The extension of a file's name in lower case, ".png": whatever a path ends with, its case says
 /// nothing.
 std::string extension_of(const std::string& path);
@@ -44,7 +49,8 @@ class OutputFile {
   /// themselves; others use write().
   const std::string& temporary_path() const { return temporary_; }
 
-  /// Appends `size` bytes. Throws OutputError, also on a full disk.
+  /// Appends `size` bytes. Throws OutputError, also on a full disk; Interrupted while nobody reads
+  /// a pipe.
   void write(const void* data, std::size_t size);
 
   /// Ends the writing. Throws OutputError if something could not be written, nothing was written,

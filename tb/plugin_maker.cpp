@@ -93,8 +93,12 @@ std::string PluginMaker::users(const std::string& unit, const std::string& text)
     return text;
   }
   RtlSources sources = read_source_list(unit, text);
-  sources.signals = traced_;
-  const std::map<std::string, int> known = numbers(read_rtl_syntax(sources));
+  sources.signals = traced_ || unit == WholeChip;
+  const RtlSyntax syntax = read_rtl_syntax(sources);
+  for (const RtlSyntax::Place& call : syntax.calls)
+    tell(call.file + ":" + std::to_string(call.line) + ": " + call.name +
+         " reaches beyond the simulation, with your rights");
+  const std::map<std::string, int> known = numbers(syntax);
   for (const rtl_parameter& parameter : other_parameters(known, knobs_))
     sources.parameters.push_back(parameter.name + "=" + std::to_string(parameter.value));
   for (const Setting& table : tables(unit))

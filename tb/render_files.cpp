@@ -14,6 +14,8 @@
 
 #include "tb/console.h"
 #include "tb/counted.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
@@ -22,7 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* StatsName = "stats.json";
-constexpr const char* ManifestName = "manifest.json";
 constexpr double SlowestGif = 5;  // frames per second, however few of the demo's are shown
 constexpr int SheetColumns = 4;
 
@@ -36,47 +37,29 @@ void try_writing(const std::string& path) {
     throw OutputError(path, errno, "");
 }
 
-// Makes the folder and those above it; returns the new ones, innermost first.
-std::vector<fs::path> make_folder(const std::string& folder) {
-  std::error_code error, ignored;
-  std::vector<fs::path> made;
-  for (fs::path level = fs::absolute(folder).lexically_normal();
-       !level.empty() && !fs::exists(level, ignored); level = level.parent_path())
-    if (level.has_filename()) made.push_back(level);
-  fs::create_directories(folder, error);
-  if (error && !fs::is_directory(folder, ignored)) {
-    for (const auto& level : made) fs::remove(level, ignored);
-    throw OutputError(folder, error.value(), "");
-  }
-  return made;
-}
-
 }  // namespace
 
 RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
     : plan_(plan), what_(std::move(manifest)) {
-  std::vector<fs::path> made;
-  if (!plan_.folder.empty()) made = make_folder(plan_.folder);
-  try {
-    if (!plan_.folder.empty()) try_writing(in_folder(fmt::format("frame_{:04}.png", plan_.first)));
-    for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
-      try_writing(path);
-  } catch (const OutputError&) {
-    std::error_code ignored;
-    for (const auto& level : made) fs::remove(level, ignored);
-    throw;
+  what_.command = plan_.command;
+  what_.first_frame = plan_.first;
+  what_.every = plan_.every;
+  what_.frames_wanted = plan_.frames;
+  if (!plan_.folder.empty()) {
+    folder_ = std::make_unique<OutputFolder>(plan_.folder, what_, plan_.overwrite);
+    try_writing(folder_->file(fmt::format("frame_{:04}.png", plan_.first)));
   }
-}
-
-std::string RenderFiles::in_folder(const std::string& name) const {
-  return (fs::path(plan_.folder) / name).string();
+  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
+    try_writing(path);
+  if (folder_) folder_->start();
 }
 
 void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
-  ++frames_;
+  ++what_.frames_rendered;
+  what_.frames.insert(frame.number);
   for (const PictureFile& file : frame.files) {
-    in_folder_.push_back(file.name);
-    write_text(in_folder(file.name), file.bytes);
+    what_.files.push_back(file.name);
+    write_text(folder_->file(file.name), file.bytes);
   }
   width_ = frame.picture.width;
   height_ = frame.picture.height;
@@ -100,13 +83,18 @@ void RenderFiles::add(int frame, const std::string& part, const VgaFrame& pictur
 void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* sound,
                       const std::function<std::string()>& stats) {
   std::exception_ptr failure;
+  bool quiet = false;
   try {
     render();
-  } catch (const SyncError&) {
+  } catch (const Interrupted&) {
+    // fewer frames
+  } catch (const ClosedPipe&) {
     failure = std::current_exception();
-  } catch (const OutputError&) {
+    quiet = true;
+  } catch (...) {
     failure = std::current_exception();
   }
+  time_to_finish();
   try {
     finish(sound, stats());  // what belongs to the whole frames so far
   } catch (const OutputError&) {
@@ -114,40 +102,43 @@ void RenderFiles::run(const std::function<void()>& render, const SoundMonitor* s
     std::rethrow_exception(failure);
   }
   if (!failure) return;
-  tell("stopped early; kept " + summary());
+  if (!quiet) tell("stopped early; kept " + summary());
   std::rethrow_exception(failure);
 }
 
 void RenderFiles::finish(const SoundMonitor* sound, const std::string& stats) {
+  const bool any = what_.frames_rendered > 0;
   // What tells about the pictures comes first: on a full disk it is the best to have.
-  if (!plan_.folder.empty() && frames_ > 0) {
-    write_text(in_folder(StatsName), stats);
-    in_folder_.push_back(StatsName);
-    write_text(in_folder(ManifestName), manifest());
+  if (folder_ && any) {
+    write_text(folder_->file(StatsName), stats);
+    what_.files.push_back(StatsName);
+    folder_->write(what_);
+  } else if (folder_) {
+    folder_->abandon();
   }
-  if (!plan_.stats.empty() && frames_ > 0) write_text(plan_.stats, stats);
-  if (gif_ && frames_ > 0) gif_->close();
+  if (!plan_.stats.empty() && any) write_text(plan_.stats, stats);
+  if (gif_ && any) gif_->close();
   gif_.reset();
   if (!sheet_.empty()) write_contact_sheet(plan_.sheet, sheet_, width_, height_, SheetColumns);
-  if (!plan_.wav.empty() && sound && frames_ > 0) sound->write_wav(plan_.wav);
+  if (!plan_.wav.empty() && sound && any) sound->write_wav(plan_.wav);
+  if (folder_ && any) list_outputs();
 }
 
-std::string RenderFiles::manifest() const {
-  Manifest manifest = what_;
-  manifest.command = plan_.command;
-  manifest.first_frame = plan_.first;
-  manifest.every = plan_.every;
-  manifest.frames_wanted = plan_.frames;
-  manifest.frames_rendered = frames_;
-  manifest.files = in_folder_;
-  return manifest.text();
+void RenderFiles::list_outputs() {
+  const std::size_t before = what_.files.size();
+  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats, plan_.vcd}) {
+    if (path.empty()) continue;
+    const std::string name = folder_->name_of(path);
+    if (name != StatsName) what_.files.push_back(name);
+  }
+  if (what_.files.size() > before) folder_->write(what_);
 }
 
 std::string RenderFiles::summary() const {
-  std::string text = counted(frames_, "frame");
+  std::string text = counted(what_.frames_rendered, "frame");
   if (!plan_.folder.empty()) text += " in " + plan_.folder;
   for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.vcd})
-    if (!path.empty() && frames_ > 0) text += ", " + path;
+    if (!path.empty() && what_.frames_rendered > 0) text += ", " + path;
   if (!plan_.stats.empty()) text += ", " + plan_.stats;
   return text;
 }

@@ -15,6 +15,7 @@
 #include "tb/gif_writer.h"
 #include "tb/image_files.h"
 #include "tb/manifest.h"
+#include "tb/output_folder.h"
 #include "tb/render_options.h"
 #include "tb/rendered_frame.h"
 #include "tb/sound_monitor.h"
@@ -23,8 +24,9 @@ namespace racebeam {
 
 class RenderFiles {
  public:
-  /// Makes the folder and tries whether every file can be written. `manifest` says what is
-  /// rendered; what belongs to the plan and to the files is added. Throws OutputError.
+  /// Takes the folder and tries whether every file can be written. `manifest` says what is
+  /// rendered; what belongs to the plan and to the files is added. Throws OutputError, and
+  /// UsageError as OutputFolder does.
   RenderFiles(const OutputPlan& plan, Manifest manifest);
 
   /// A whole frame; its files go into the folder. Throws OutputError.
@@ -32,8 +34,8 @@ class RenderFiles {
   /// A frame of which there is the picture alone. Throws OutputError.
   void add(int frame, const std::string& part, const VgaFrame& picture);
 
-  /// Calls `render`, which adds frames, and then finish(). If either throws SyncError or
-  /// OutputError, what belongs to the whole frames is kept, which is told, and that is thrown on.
+  /// Calls `render`, which adds frames, and then finish(). If either throws, what belongs to the
+  /// whole frames is kept, which is told, and that is thrown on; but Interrupted is a good end.
   void run(const std::function<void()>& render, const SoundMonitor* sound,
            const std::function<std::string()>& stats);
 
@@ -45,14 +47,12 @@ class RenderFiles {
   std::string summary() const;
 
  private:
-  std::string in_folder(const std::string& name) const;
-  std::string manifest() const;
+  void list_outputs();
 
   const OutputPlan plan_;
-  const Manifest what_;
-  int frames_ = 0;
-  int width_ = 0, height_ = 0;          // of the pictures
-  std::vector<std::string> in_folder_;  // names of the files in the folder
+  Manifest what_;
+  std::unique_ptr<OutputFolder> folder_;
+  int width_ = 0, height_ = 0;  // of the pictures
   std::vector<SheetFrame> sheet_;
   std::unique_ptr<GifWriter> gif_;
 };

@@ -6,13 +6,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <system_error>
 
+#include "tb/console.h"
+#include "tb/content_hash.h"
 #include "tb/nearest.h"
 #include "tb/open_show.h"
 #include "tb/output_file.h"
+#include "tb/output_folder.h"
 #include "tb/set_knob.h"
 #include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
@@ -165,12 +170,46 @@ void check_distinct(const OutputPlan& plan) {
     if (plan.folder.empty() || file.parent_path() != real(plan.folder)) continue;
     const std::string name = file.filename().string();
     const bool same_stats = name == "stats.json" && path == plan.stats;
-    if (name == "manifest.json" || (name == "stats.json" && !same_stats) ||
-        name.rfind("frame_", 0) == 0 || name.rfind("difference_", 0) == 0 ||
-        name.rfind("overlay_", 0) == 0)
+    if (OutputFolder::owns(name) && !same_stats)
       throw UsageError(path + " is a name that the folder " + plan.folder +
                        " needs itself; choose another");
   }
+}
+
+// What stands in the units' places, as `--use` says it: "stacks=rtl,scene=lockstep:a.sv+b.sv".
+std::map<std::string, ManifestUnit> units_of(const RenderPlan& plan,
+                                             const std::vector<std::string>& uses) {
+  std::map<std::string, ManifestUnit> units;
+  for (const auto& [name, choice] : plan.units.by_unit)
+    if (choice.lockstep || choice.driver == unit_choice::Rtl)
+      units[name].implementation = choice.lockstep ? "lockstep" : "rtl";
+  for (const std::string& text : uses) {
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) {
+      const auto equals = word.find('=');
+      const auto unit = units.find(word.substr(0, equals));
+      if (equals == std::string::npos || unit == units.end()) continue;
+      const auto start = word.find("lockstep:") == equals + 1 ? word.find(':') : equals;
+      unit->second.files.clear();
+      std::istringstream files(word.substr(start + 1));
+      for (std::string file; std::getline(files, file, '+');) {
+        std::error_code ignored;
+        if (!fs::is_regular_file(file, ignored)) continue;
+        std::ifstream in(file, std::ios::binary);
+        unit->second.files[file] =
+            content_hash(std::string{std::istreambuf_iterator<char>(in), {}});
+      }
+    }
+  }
+  return units;
+}
+
+// Frames beyond the last one are those from the start.
+void tell_of_wrap(const RenderPlan& plan) {
+  const long long last = plan.first + (plan.frames - 1LL) * plan.every;
+  if (last >= plan.show.frames())
+    tell(fmt::format("the show has frames 0..{} and starts again: the last one is frame {}",
+                     plan.show.frames() - 1, plan.frame(plan.frames - 1)));
 }
 
 }  // namespace
@@ -185,6 +224,7 @@ Manifest RenderPlan::manifest() const {
   manifest.scene_hash = show.hash();
   manifest.level = level;
   manifest.k = k;
+  manifest.units = unit_files;
   return manifest;
 }
 
@@ -205,6 +245,7 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
       options.json,
       options.command};
   plan.vcd = options.vcd;
+  plan.overwrite = options.overwrite;
   check_outputs(plan);
   check_distinct(plan);
   plan.overlays = maps_of(options.overlays);
@@ -232,11 +273,13 @@ RenderPlan plan_render(const RenderOptions& options) {
                   tracer_of(options.golden),
                   options.golden == Compare,
                   {}};
+  tell_of_wrap(plan);
   if (plan.tracer) plan.level = "golden " + options.golden;
-  for (const std::string& assignment : options.assignments) set_knob(plan.k, assignment);
+  set_knobs(plan.k, options.assignments);
   if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
   const UseOption use(plan.k, show.program());
   for (const std::string& choice : options.units) use.use(plan.units, choice);
+  plan.unit_files = units_of(plan, options.units);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
   if (plan.tracer && plan.against)

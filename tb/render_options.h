@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct RenderOptions : TtOptions {
   std::string golden;                 ///< a golden tracer, "compare", or empty
   std::string against;                ///< a reference to compare with, or empty
   bool crc = false, json = false;
+  bool overwrite = false;            ///< the folder may have frames of another render
   std::vector<std::string> command;  ///< for the manifest
 };
 
@@ -48,6 +50,7 @@ struct OutputPlan {
   std::vector<std::string> command;
   std::vector<MapKind> overlays{};                   ///< into the folder, for each frame
   std::string vcd{};                                 ///< of the chip's ports and wires, or empty
+  bool overwrite = false;                            ///< what the folder has of another render
   std::shared_ptr<const ReferenceFrames> against{};  ///< what the frames must equal, or nothing
 
   /// Checksums are computed.
@@ -66,6 +69,7 @@ struct RenderPlan : OutputPlan {
   std::optional<GoldenTracer> tracer;  ///< renders instead of the chip
   bool compare;                        ///< the chip with the golden tracers
   unit_choices units;
+  std::map<std::string, ManifestUnit> unit_files{};  ///< what they are made of
 
   /// Number of the `index`-th frame; the show loops.
   int frame(int index) const;

@@ -8,6 +8,7 @@
 
 #include "tb/against.h"
 #include "tb/console.h"
+#include "tb/content_hash.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 #include "tb/pins_report.h"
@@ -54,6 +55,9 @@ Manifest manifest_of(const TtPlan& plan) {
   manifest.scene = plan.project.folder;
   manifest.scene_hash = plan.project.hash;
   manifest.level = plan.project.top + ", verilated";
+  manifest.inputs = {{"ui_in", std::to_string(plan.inputs.start().ui)},
+                     {"uio_in", std::to_string(plan.inputs.start().uio)}};
+  if (!plan.inputs.changes().empty()) manifest.inputs["changes"] = content_hash(plan.inputs.text());
   return manifest;
 }
 

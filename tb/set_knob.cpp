@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "tb/console.h"
 #include "tb/nearest.h"
 
 namespace racebeam {
@@ -44,6 +45,16 @@ void set_knob(knobs& k, const std::string& assignment) {
                      "' is out of range; it takes " + row.range() +
                      (*row.unit ? std::string(" ") + row.unit : ""));
   k.*row.member = value;
+}
+
+void set_knobs(knobs& k, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) set_knob(k, assignment);
+  const int counts = k.room_depth_limit();
+  if (counts != k.max_room_depth)
+    tell("max_room_depth=" + std::to_string(k.max_room_depth) + " counts as " +
+         std::to_string(counts) + ": a room takes an entry of face_stack_depth=" +
+         std::to_string(k.face_stack_depth) + ", and one is not for rooms");
+  k.max_room_depth = counts;
 }
 
 }  // namespace racebeam

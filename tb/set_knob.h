@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sc/knobs.h"
 
@@ -12,5 +13,9 @@ namespace racebeam {
 
 /// Sets one knob from "name=value". Throws UsageError, which names the nearest knob or the range.
 void set_knob(knobs& k, const std::string& assignment);
+
+/// Sets all of them. max_room_depth gets the value that counts, and it is told if that is less.
+/// Throws UsageError.
+void set_knobs(knobs& k, const std::vector<std::string>& assignments);
 
 }  // namespace racebeam

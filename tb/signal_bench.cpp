@@ -10,7 +10,10 @@
 #include "sc/chip.h"
 #include "sc/chip_core.h"
 #include "sc/stats_collector.h"
+#include "tb/errors.h"
+#include "tb/interrupt.h"
 #include "tb/pin_probe.h"
+#include "tb/simulate.h"
 #include "tb/view/interval_watcher.h"
 
 namespace racebeam {
@@ -110,7 +113,7 @@ struct SignalBench::Platform {
 
     // One edge in reset, after all wires have settled; then we stand inside the first clock of
     // frame 0, and after each frame inside the first clock of the next.
-    sc_core::sc_start(period * 1.25);
+    simulate(period * 1.25);
     speed.write(o.k.speed);
     no_interlace.write(!o.k.interlace);
     rst_n.write(true);
@@ -131,11 +134,14 @@ void SignalBench::Platform::watch() {
       }
   }
   const unit_choice& top = options.units.of(WholeChip);
-  if (!top.lockstep) return;
-  locksteps.push_back(
-      std::make_unique<Lockstep>("lockstep_top", WholeChip, dut, options.k, top.plugin));
-  locksteps.back()->clk_i(clk);
-  locksteps.back()->check_wiring(dut);
+  if (top.lockstep) {
+    locksteps.push_back(
+        std::make_unique<Lockstep>("lockstep_top", WholeChip, dut, options.k, top.plugin));
+    locksteps.back()->clk_i(clk);
+    locksteps.back()->check_wiring(dut);
+  }
+  if (!options.outlive_faults) return;
+  for (auto& lockstep : locksteps) lockstep->outlive_faults();
 }
 
 SignalBench::SignalBench(const Options& options) : platform_(new Platform(options)) {}
@@ -159,10 +165,14 @@ void SignalBench::seek(int frame) {
 
 void SignalBench::advance(int clocks) {
   Platform& p = *platform_;
-  const int count = std::min(clocks, p.raster.frame_clocks() - p.frame_clock);
-  p.start(count * p.period);
-  p.clocks += count;
-  p.frame_clock += count;
+  const int end = p.frame_clock + std::min(clocks, p.raster.frame_clocks() - p.frame_clock);
+  for (bool begins = true; p.frame_clock < end; begins = false) {
+    if (!begins && interrupted()) throw Interrupted();
+    const int count = std::min(end - p.frame_clock, p.raster.line_clocks());
+    p.start(count * p.period);
+    p.clocks += count;
+    p.frame_clock += count;
+  }
   if (p.frame_clock < p.raster.frame_clocks()) return;
   p.frame_clock = 0;
   p.next_frame = (p.next_frame + 1) % (p.options.program ? p.options.program->frames : DemoFrames);
@@ -184,13 +194,8 @@ void SignalBench::settle() {
   for (auto& lockstep : platform_->locksteps) lockstep->settle();
 }
 
-// What processes throw arrives as a report of the kernel; only RTL throws in one.
 void SignalBench::Platform::start(const sc_core::sc_time& time) {
-  try {
-    sc_core::sc_start(time);
-  } catch (const sc_core::sc_report& report) {
-    throw RtlError(std::string("the RTL has ended the simulation: ") + report.get_msg());
-  }
+  simulate(time);
   if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
 }
 

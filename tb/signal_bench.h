@@ -27,6 +27,7 @@ class SignalBench final : public ChipBench {
     unit_choices units{};         ///< models, RTL, or both in lockstep
     bool intervals = false;       ///< collect IntervalEvents
     FrameWatch* watch = nullptr;  ///< is told of every clock; must outlive the bench
+    bool outlive_faults = false;  ///< of RTL in lockstep: the chip goes on without it
   };
 
   /// Throws RtlError.
@@ -36,7 +37,7 @@ class SignalBench final : public ChipBench {
   /// Not in the middle of a frame.
   void seek(int frame) override;
   /// Simulates so many clocks, to the end of the frame at most. Throws SyncError, what
-  /// each_clock()'s `look` throws, and RtlError if RTL ends the simulation, as by $fatal.
+  /// each_clock()'s `look` throws, RtlFault, and Interrupted between two lines.
   void advance(int clocks);
   /// One frame, or the rest of one.
   Frame render() override;

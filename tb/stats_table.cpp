@@ -48,4 +48,25 @@ std::string table_total(const StatsReport& report) {
          golden_column(report.golden()) + "\n";
 }
 
+std::string golden_table(const GoldenCounts& counts) {
+  std::string text = "\npixels that differ from the golden tracers, and why\n";
+  const auto row = [&](const std::string& name, int pixels, const std::string& meaning) {
+    text += fmt::format("{:<20} {:>10}  {}\n", name, pixels, meaning);
+  };
+  // In difference_NNNN.png, by GoldenTracer; trace4 first.
+  static const char* const colours[] = {"cyan, where trace4 agrees", "yellow",
+                                        "magenta, where both agree"};
+  for (const GoldenTracer tracer :
+       {GoldenTracer::Trace4, GoldenTracer::Trace2, GoldenTracer::Geometry}) {
+    const int i = static_cast<int>(tracer);
+    row(golden_tracer_names()[i], counts.by_tracer[i],
+        std::string("in difference_NNNN.png ") + colours[i]);
+  }
+  for (std::size_t i = 0; i < counts.by_cause.size(); ++i)
+    if (counts.by_cause[i] > 0)
+      row("  " + std::string(golden_causes()[i].name), counts.by_cause[i],
+          golden_causes()[i].meaning);
+  return text;
+}
+
 }  // namespace racebeam

@@ -22,4 +22,8 @@ std::string table_row(int frame, const std::string& part, const FrameStats& stat
 /// The sums over all frames.
 std::string table_total(const StatsReport& report);
 
+/// Of a comparison: pixels that differ from each tracer, and why; what the colours of
+/// difference_NNNN.png mean.
+std::string golden_table(const GoldenCounts& counts);
+
 }  // namespace racebeam

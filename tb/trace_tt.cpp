@@ -14,6 +14,7 @@
 #include "tb/trace/tile_run.h"
 #include "tb/trace/window_writer.h"
 #include "tb/tt_plugin.h"
+#include "tb/tt_remarks.h"
 
 namespace racebeam {
 
@@ -58,6 +59,7 @@ int trace_tt(const TraceOptions& options) {
   catch_interrupts();
   const TtProject project = read_tt_project(options.project, options.reading);
   TtRun chip(project, tt_plugin(project, options.reading.trust, true), inputs);
+  for (const std::string& remark : assumptions(project, chip.found())) tell(remark);
   TileRun run(chip);
   const Raster& raster = run.raster();
   const TraceWindowReader reader(MostTtFrames, raster);

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 
+#include "tb/errors.h"
+#include "tb/interrupt.h"
+
 namespace racebeam {
 
 namespace fs = std::filesystem;
@@ -49,20 +52,12 @@ TtChip::TtChip(const std::string& plugin, const std::string& folder, TilePins in
   pin("ena") = 1;
   set_inputs(inputs);
   const WorkingFolder here(folder);  // $readmemh reads in the first evaluation
-  evaluate(library_.model().eval);
+  library_.eval();
 }
 
 void TtChip::set_inputs(TilePins inputs) {
   *ui_in_ = inputs.ui;
   *uio_in_ = inputs.uio;
-}
-
-void TtChip::evaluate(void (*step)(void*)) {
-  try {
-    step(library_.model().top);
-  } catch (const std::runtime_error& error) {
-    throw RtlError(std::string("the chip cannot be simulated any further: ") + error.what());
-  }
 }
 
 std::uint8_t& TtChip::pin(const char* name) const {
@@ -71,19 +66,22 @@ std::uint8_t& TtChip::pin(const char* name) const {
 
 void TtChip::reset(int clocks) {
   *rst_n_ = 0;
-  for (; clocks > 0; --clocks) evaluate(library_.model().rise);
+  for (; clocks > 0; --clocks) library_.rise();
   *rst_n_ = 1;
   clock_ = 0;
 }
 
 void TtChip::run(std::uint64_t clocks, std::vector<PinChange>& changes) {
+  constexpr std::uint64_t Look = 8192;  // clocks: then the user may have had enough
+  const std::uint64_t begin = clock_;
   for (const std::uint64_t end = clock_ + clocks; clock_ < end; ++clock_) {
+    if ((clock_ - begin) % Look == Look - 1 && interrupted()) throw Interrupted();
     const PinChange now{clock_, *uo_, *uio_, *oe_};
     if (now.uo != last_.uo || now.uio != last_.uio || now.oe != last_.oe || clock_ == 0) {
       changes.push_back(now);
       last_ = now;
     }
-    evaluate(library_.model().rise);
+    library_.rise();
   }
 }
 

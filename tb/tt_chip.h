@@ -18,7 +18,7 @@ class TtChip {
  public:
   /// A plug-in of registered inputs, with its input pins; ena is 1. Files that the RTL reads are
   /// looked for in `folder`. Throws RtlError if the ports are not those of a tile. From then on all
-  /// that simulates throws RtlError if the RTL stops ($stop) or its logic never settles.
+  /// that simulates throws RtlFault.
   TtChip(const std::string& plugin, const std::string& folder, TilePins inputs);
 
   /// Its input pins from this clock on; the logic sees them a clock later.
@@ -27,7 +27,8 @@ class TtChip {
   /// Holds rst_n at 0 for some clocks. The next clock is clock 0.
   void reset(int clocks);
 
-  /// Simulates clocks and adds what changes; the first clock after reset is always added.
+  /// Simulates clocks and adds what changes; the first clock after reset is always added. Throws
+  /// Interrupted, but only in the middle of many clocks.
   void run(std::uint64_t clocks, std::vector<PinChange>& changes);
 
   /// Clocks simulated since reset.
@@ -37,7 +38,6 @@ class TtChip {
 
  private:
   std::uint8_t& pin(const char* name) const;
-  void evaluate(void (*step)(void*));
 
   rtl_library library_;
   std::uint8_t *rst_n_, *ui_in_, *uio_in_;

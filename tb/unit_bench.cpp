@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sc/constants.h"
+#include "tb/simulate.h"
 
 namespace racebeam {
 
@@ -55,7 +56,7 @@ UnitBench::UnitBench(sc_core::sc_module& unit, in_port<1>* beside) {
   if (beside) beside->bind(clk_);
   for (auto* child : unit.get_child_objects())
     add_any(child, std::make_integer_sequence<int, WidestPort>());
-  sc_core::sc_start(sc_core::sc_time(1, sc_core::SC_PS));
+  simulate(sc_core::sc_time(1, sc_core::SC_PS));
 }
 
 UnitBench::Pin& UnitBench::operator[](const std::string& port) {
@@ -74,13 +75,13 @@ vec3 UnitBench::read(const std::string& stem, const std::string& suffix) {
   return v;
 }
 
-void UnitBench::settle() { sc_core::sc_start(sc_core::sc_time(1, sc_core::SC_PS)); }
+void UnitBench::settle() { simulate(sc_core::sc_time(1, sc_core::SC_PS)); }
 
 void UnitBench::clock(int edges) {
   if (edges < 1) return;
   edges_ += edges;
   const sc_core::sc_time after_edge = edges_ * period_ + sc_core::sc_time(1, sc_core::SC_PS);
-  sc_core::sc_start(after_edge - sc_core::sc_time_stamp());
+  simulate(after_edge - sc_core::sc_time_stamp());
 }
 
 void UnitBench::shake(std::minstd_rand& random) {

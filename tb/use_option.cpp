@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
+#include "sc/rtl_library.h"
+#include "sc/rtl_remarks.h"
+#include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/nearest.h"
 #include "tb/verilate/source_list.h"
@@ -25,6 +28,14 @@ bool is_taped_out(const knobs& k) {
         k.*row.member != chip.*row.member)
       return false;
   return true;
+}
+
+/// Says what the contract does not know.
+std::string checked(const std::string& plugin) {
+  for (const std::string& place : remarks_of(rtl_library(plugin).model(), "falling"))
+    tell("warning: " + place +
+         " changes on the falling edge of the clock; half a clock is not the contract");
+  return plugin;
 }
 
 }  // namespace
@@ -56,7 +67,8 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   const bool beside = text.rfind(Beside, 0) == 0;
   const std::string file = beside ? text.substr(std::string(Beside).size()) : text;
   if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
-    return {beside ? unit_choice::Model : unit_choice::Rtl, beside, plugins_.users(unit, file)};
+    return {beside ? unit_choice::Model : unit_choice::Rtl, beside,
+            checked(plugins_.users(unit, file))};
   throw unknown_name("implementation", text,
                      {"model", "rtl", "lockstep", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
                       "FILE.so", "lockstep:FILE.sv"});

@@ -29,7 +29,8 @@ Json to_json(const UnitVerdict& v) {
           {"seconds", v.seconds},
           {"masked", v.masked},
           {"differences", v.differences},
-          {"first", v.first ? to_json(*v.first) : Json()}};
+          {"first", v.first ? to_json(*v.first) : Json()},
+          {"fault", v.fault.empty() ? Json() : Json(v.fault)}};
 }
 
 UnitVerdict verdict_of(const Json& json) {
@@ -39,7 +40,8 @@ UnitVerdict verdict_of(const Json& json) {
                       json["masked"],
                       json["differences"],
                       json["seconds"],
-                      {}};
+                      {},
+                      json["fault"].is_null() ? "" : json["fault"]};
   if (const Json& d = json["first"]; !d.is_null())
     verdict.first = FirstDifference{d["port"], d["clock"], d["expected"], d["got"], {}, d["text"]};
   return verdict;
@@ -50,8 +52,9 @@ std::string verdict_table(const std::vector<UnitVerdict>& verdicts) {
       fmt::format(Row, "unit", "traffic", "clocks", "masked", "differ", "M clocks/s");
   for (const UnitVerdict& v : verdicts) {
     const double speed = v.seconds > 0 ? static_cast<double>(v.clocks) / v.seconds / 1e6 : 0;
-    text += fmt::format(Row, v.unit, v.traffic, v.clocks, v.masked, v.differences,
-                        fmt::format("{:.2f}", speed));
+    const std::string row = fmt::format(Row, v.unit, v.traffic, v.clocks, v.masked, v.differences,
+                                        fmt::format("{:.2f}", speed));
+    text += v.fault.empty() ? row : row.substr(0, row.size() - 1) + "  " + v.fault + "\n";
   }
   return text;
 }

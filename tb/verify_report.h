@@ -12,7 +12,8 @@
 
 namespace racebeam {
 
-/// Unit, traffic, clocks compared, compares masked, differences, speed; with a head.
+/// Unit, traffic, clocks compared, compares masked, differences, speed, and what ended the RTL;
+/// with a head.
 std::string verdict_table(const std::vector<UnitVerdict>& verdicts);
 
 nlohmann::ordered_json to_json(const UnitVerdict& verdict);

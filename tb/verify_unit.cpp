@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "sc/chip.h"
+#include "tb/interrupt.h"
 #include "tb/random_traffic.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/tune_walk.h"
@@ -60,6 +61,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
                         const std::function<void(std::uint64_t)>& compared) {
   const auto model = make_model(dut);
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
+  lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);
   const auto start = std::chrono::steady_clock::now();
   RandomTraffic traffic(bench, dut.k, seed);
@@ -72,7 +74,8 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
   TuneWalk walk(bench, seed);
   if (stimulus == Stimulus::Walk) bench.between_edges([&] { walk.next(); });
   else bench.between_edges([&] { traffic.next(); });
-  while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole())) {
+  while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole()) &&
+         !lockstep.fault() && !interrupted()) {
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
     compared(lockstep.clocks());
   }
@@ -83,8 +86,10 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
                       lockstep.masked(),
                       lockstep.differences(),
                       0,
+                      {},
                       {}};
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  verdict.fault = lockstep.fault().value_or("");
   if (const auto& d = lockstep.first())
     verdict.first = FirstDifference{
         d->port,

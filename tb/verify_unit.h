@@ -33,6 +33,7 @@ struct UnitVerdict {
   std::uint64_t differences = 0;
   double seconds = 0;
   std::optional<FirstDifference> first;
+  std::string fault;  ///< what ended the RTL before the comparison was over; or empty
 };
 
 /// A unit and what its twins are made for.
@@ -51,10 +52,10 @@ enum class Stimulus { Random, Walk };
 /// Clocks of the walk of a unit that has one; else 0.
 std::uint64_t walk_clocks(const std::string& unit);
 
-/// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, which is
-/// explained and saved in `folder`; `repeat` is the command for it. `compared` is told now and then
-/// how many clocks are done. Only one such comparison and nothing else of SystemC may happen in a
-/// process. Throws RtlError, OutputError.
+/// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, a fault or
+/// an interrupt; a difference is explained and saved in `folder`; `repeat` is the command for it.
+/// `compared` is told now and then how many clocks are done. Only one such comparison and nothing
+/// else of SystemC may happen in a process. Throws RtlError, OutputError.
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared);

@@ -12,6 +12,7 @@
 #include "tb/interrupt.h"
 #include "tb/output_file.h"
 #include "tb/tt_plugin.h"
+#include "tb/tt_remarks.h"
 #include "tb/view/tt_source.h"
 #include "tb/view_setting.h"
 
@@ -46,6 +47,7 @@ int view_tt(const ViewOptions& options) {
   catch_interrupts();
   const TtProject project = read_tt_project(options.project, options.reading);
   TtRun run(project, tt_plugin(project, options.reading.trust), inputs);
+  for (const std::string& remark : assumptions(project, run.found())) tell(remark);
   auto screen = open_screen(options);
   Viewer viewer({Show::of_tile(project.top, project.hash, MostTtFrames), knobs{},
                  std::make_unique<TtSource>(run, sound_pin)},

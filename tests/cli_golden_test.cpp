@@ -27,6 +27,10 @@ TEST_F(CliGoldenTest, RendersWithATracerInsteadOfTheChip) {
                                     "--golden", tracer, "-o", tracer, "--gif", tracer + ".gif"});
     ASSERT_EQ(program.wait(), 0) << program.err();
     EXPECT_THAT(program.out(), HasSubstr(" 9280  heights and pillars"));
+    const std::string crc =
+        parse(tracer + "/stats.json").at("frames")[1].at("image_crc32").get<std::string>();
+    EXPECT_THAT(program.out(), testing::ContainsRegex(" [1-9][0-9]{3,}  " + crc + "\n"))
+        << "intervals and checksum";
     EXPECT_THAT(program.err(), HasSubstr("wrote 2 frames in " + tracer));
     const json stats = parse(tracer + "/stats.json");
     EXPECT_EQ(stats.at("schema"), "racebeam-golden");
@@ -56,6 +60,17 @@ TEST_F(CliGoldenTest, ComparesTheChipAndSaysWhy) {
   }
   EXPECT_EQ(stats.at("total").at("golden").at("differing_pixels").at("trace4"), sum);
   EXPECT_THAT(program.out(), HasSubstr(" " + std::to_string(sum) + "\n"));
+  const json total = stats.at("total").at("golden");
+  for (const auto& [tracer, colour] :
+       {std::pair{"trace4", "yellow"}, {"trace2", "cyan"}, {"geometry", "magenta"}})
+    EXPECT_THAT(program.out(),
+                testing::ContainsRegex(std::string(tracer) + " +" +
+                                       total.at("differing_pixels").at(tracer).dump() +
+                                       "  in difference_NNNN.png " + colour));
+  for (const auto& [cause, pixels] : total.at("causes").items())
+    if (pixels > 0)
+      EXPECT_THAT(program.out(),
+                  testing::ContainsRegex("  " + cause + " +" + pixels.dump() + "  "));
   for (const char* name : {"difference_9279.png", "difference_9579.png"}) {
     EXPECT_EQ(read_file(folder / ("o/" + std::string(name))).substr(1, 3), "PNG");
     EXPECT_THAT(parse("o/manifest.json").at("files"), testing::Contains(name));

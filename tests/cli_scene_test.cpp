@@ -90,6 +90,52 @@ TEST_F(CliSceneTest, ShowCountsAsTextAndAsJson) {
   EXPECT_GT(summary["worst_line"]["clocks"], 0);
 }
 
+TEST_F(CliSceneTest, CheckWarnsOfWhatIsAllowedButHardlyMeant) {
+  write("a.toml",
+        "frames = 9\n[plan]\nstoreys = \"@#.\"\n[plan.cells]\nL = { height = 64 }\n"
+        "[camera]\nyaw = { start = 90 }\npitch = -45\n");
+  Program program(folder.path(), {"scene", "check", "a.toml"});
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_EQ(program.out(), "good: 2 rooms, 0 portals\n");
+  EXPECT_EQ(program.err(),
+            "a.toml:3:14: warning: nothing leads to '1.1.3'\n"
+            "  help: join it to a room by a portal, set the camera down in it by a [[shot]], or "
+            "leave it out\n"
+            "a.toml:5:1: warning: no cell of the plan is 'L'\n"
+            "  help: draw one, or leave out the kind\n"
+            "a.toml:7:17: warning: 'yaw' is 90 of 2048: that is 16 degrees\n"
+            "  help: 90 degrees are 512\n"
+            "a.toml:8:9: warning: 'pitch' is -45 of 2048: that is -8 degrees\n"
+            "  help: -45 degrees are -256\n");
+}
+
+TEST_F(CliSceneTest, OurOwnScenesHaveNoWarnings) {
+  for (const char* sub : {"/scenes", "/scenes/chip"})
+    for (const auto& entry : fs::directory_iterator(std::string(RACEBEAM_SOURCE_DIR) + sub)) {
+      if (entry.path().extension() != ".toml") continue;
+      Program program(folder.path(), {"scene", "check", entry.path().string()});
+      EXPECT_EQ(program.wait(), 0);
+      EXPECT_EQ(program.err(), "");
+    }
+}
+
+TEST_F(CliSceneTest, PlanWritesWhatItsNameSays) {
+  write("a.toml", "name = \"my hall\"\nplan.storeys = \"@.\"\n");
+  for (const auto& [name, begins] :
+       {std::pair{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"b.PNG", "\x89PNG"}}) {
+    Program program(folder.path(), {"scene", "plan", "a.toml", "-o", name});
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    EXPECT_THAT(program.err(), HasSubstr("wrote " + std::string(name)));
+    EXPECT_THAT(read_file(folder / name), StartsWith(begins));
+  }
+  EXPECT_THAT(read_file(folder / "a.svg"), HasSubstr("<svg "));
+  for (const char* name : {"a.jpg", "a", "a.svg.txt"}) {
+    Program program(folder.path(), {"scene", "plan", "a.toml", "-o", name});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_THAT(program.err(), HasSubstr("scene plan writes .png or .svg; rename "));
+  }
+}
+
 TEST_F(CliSceneTest, PlanLeavesNoHalfPicture) {
   write("a.toml", "plan.storeys = \"@.\"\n");
   Program program(folder.path(), {"scene", "plan", "a.toml", "-o", "no/a.png"});

@@ -48,6 +48,33 @@ TEST_F(CliTest, HelpOfRenderNamesEveryOption) {
     EXPECT_THAT(program.out(), HasSubstr(option));
 }
 
+TEST_F(CliTest, HelpIsAtMost100ColumnsWideAndNamesNoTypesOfAProgram) {
+  for (const Words& command : {Words{},
+                               {"render"},
+                               {"knobs"},
+                               {"bench"},
+                               {"verify"},
+                               {"scene"},
+                               {"scene", "check"},
+                               {"scene", "plan"},
+                               {"scene", "notes"},
+                               {"view"},
+                               {"explain"},
+                               {"trace"},
+                               {"doctor"}}) {
+    Words words = command;
+    words.push_back("--help");
+    Program program(folder.path(), words);
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    std::istringstream lines(program.out());
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 100u) << line;
+      for (const char* type : {"TEXT", "INT", "UINT", " in [", "FLOAT"})
+        EXPECT_THAT(line, Not(HasSubstr(type)));
+    }
+  }
+}
+
 TEST_F(CliTest, VersionIsAlone) {
   Program program(folder.path(), {"--version"});
   EXPECT_EQ(program.wait(), 0);
@@ -79,6 +106,36 @@ TEST_F(CliTest, NumbersOutOfRangeAreRefusedWithTheRange) {
   expect_refused({"render", "demo", "--first", "99999999999999999999"}, {"--first", "0..12798"});
   expect_refused({"render", "demo", "--every", "0"}, {"--every 0", "1..12798"});
   expect_refused({"render", "demo", "--gif-scale", "9"}, {"--gif-scale 9", "1..8"});
+  expect_refused({"verify", "stacks", "--random", "-5"}, {"--random -5 is out of range; 0..10"});
+  expect_refused({"verify", "stacks", "--random", "99999999999999999999"},
+                 {"--random 99999999999999999999 is out of range; 0..10"});
+  expect_refused({"verify", "stacks", "--seed", "99999999999"},
+                 {"--seed 99999999999 is out of range; 0..4294967295"});
+  expect_refused({"bench", "--repeat", "0"}, {"--repeat 0 is out of range; 1..100"});
+}
+
+TEST_F(CliTest, WhatIsNoNumberIsRefusedWithTheRange) {
+  expect_refused({"render", "demo", "--frames", "abc"},
+                 {"--frames 'abc' is not a number; 1..12799 in the demo"});
+  expect_refused({"verify", "--seed", "x"}, {"--seed 'x' is not a number; 0..4294967295"});
+  expect_refused({"verify", "--seed", "1.5"}, {"--seed '1.5' is not a number"});
+  expect_refused({"view", "demo", "--scale", "2x"}, {"--scale '2x' is not a number; 0..8"});
+  expect_refused({"trace", "demo", "--record", ""}, {"--record '' is not a number"});
+  expect_refused({"render", "--tt", ".", "--ui", "0x3"}, {"--ui '0x3' is not a number; 0..255"});
+}
+
+TEST_F(CliTest, TheBeginningOfANameIsCompleted) {
+  expect_refused({"render", "demo", "--set", "fifo=4"},
+                 {"unknown knob 'fifo'; did you mean 'fifo_entries'?"});
+  expect_refused({"render", "demo", "--set", "stack=4"}, {"did you mean 'face_stack_depth'?"});
+  expect_refused({"render", "demo", "--fram", "4"}, {"did you mean '--frames'?"});
+}
+
+TEST_F(CliTest, CommandsForFilesNameTheFileOfTheDemo) {
+  for (const char* command : {"check", "show"})
+    expect_refused({"scene", command, "demo"}, {"demo is built into the chip", "scenes/demo.toml"});
+  expect_refused({"scene", "plan", "demo", "-o", "a.png"}, {"scenes/demo.toml"});
+  expect_refused({"scene", "show", "dmo"}, {"unknown scene 'dmo'; did you mean 'demo'?"});
 }
 
 TEST_F(CliTest, KnobsOutOfRangeAreRefusedWithTheRange) {
@@ -154,6 +211,26 @@ TEST_F(CliTest, DoctorNamesThePackageOfAMissingTool) {
   Program program(folder.path(), {"doctor"}, {{}, RLIM_INFINITY, false, "PATH=/no/such/folder"});
   EXPECT_EQ(program.wait(), 0) << "optional tools may be missing";
   EXPECT_THAT(program.out(), HasSubstr("apt install gtkwave"));
+}
+
+// As a command that SIGPIPE ends; what was written is whole.
+TEST_F(CliTest, AReaderThatHasGoneEndsEveryCommandQuietly) {
+  std::ofstream(folder / "a.toml") << "frames = 9\nplan.storeys = \"@.\"\n";
+  for (const Words& words : {Words{"knobs", "--json"},
+                             {"--help"},
+                             {"render", "demo", "-o", "o", "--frames", "2"},
+                             {"render", "demo", "-o", "p", "--golden", "trace2"},
+                             {"scene", "show", "a.toml"},
+                             {"explain", "demo", "--frame", "0", "--pixel", "9,9"}}) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    close(ends[0]);  // nobody reads
+    Program program(folder.path(), words,
+                    {"/proc/self/fd/" + std::to_string(ends[1]), RLIM_INFINITY, false, {}});
+    EXPECT_EQ(program.wait(), 141) << words[0];
+    EXPECT_EQ(program.err(), "") << words[0];
+    close(ends[1]);
+  }
 }
 
 TEST_F(CliTest, FullStandardOutputIsAnError) {

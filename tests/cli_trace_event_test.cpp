@@ -172,8 +172,8 @@ TEST_F(CliTraceEventTest, RtlThatEndsTheSimulationIsACrash) {
                "  always_ff @(posedge clk_i) if (clocks_q == 900000) $fatal(1, \"enough\");\n"
                "endmodule");
   EXPECT_EQ(run({"--use", "subdivider=subdivider.sv", "--record", "2", "--to", "3:0"}), 2);
-  EXPECT_THAT(said, HasSubstr("the RTL has ended the simulation: "));
-  EXPECT_THAT(said, HasSubstr("subdivider.sv:"));
+  EXPECT_THAT(said, HasSubstr("the RTL of subdivider has ended the simulation in clock 900000: "));
+  EXPECT_THAT(said, testing::ContainsRegex("subdivider.sv:[0-9]+: error: enough"));
   const Wave w = wave();
   EXPECT_EQ(clocks(w), 2 * raster.line_clocks());
   EXPECT_THAT(said,

@@ -188,7 +188,12 @@ TEST_F(CliTtTest, RefusesRtlThatIsNoTile) {
   expect_source_end("tt_um_bars.v", "hvsync_generator hvsync_gen", "vga_timing hvsync_gen", 2,
                     {"Cannot find file containing module: 'vga_timing'"});
   expect_source_end("tt_um_bars.v", "initial ", "initial $stop; initial ", 2,
-                    {"cannot be simulated", "tt_um_bars.v:20: Verilog $stop"});
+                    {"the RTL of tt_um_bars has ended", "tt_um_bars.v:20: $stop"});
+  expect_source_end("tt_um_bars.v", "initial ", "initial $finish; initial ", 2,
+                    {"tt_um_bars.v:20: $finish"});
+  setenv("RACEBEAM_RTL_SECONDS", "0.5", 1);
+  expect_source_end("tt_um_bars.v", "initial ", "initial forever $c(\"\"); initial ", 2,
+                    {"tt_um_bars does not return from clock 0"});
   EXPECT_FALSE(fs::exists(folder / "racebeam_out"));
 }
 

@@ -15,6 +15,9 @@
 #include "tests/x_server.h"
 
 namespace racebeam {
+
+void PrintTo(const Extent& size, std::ostream* out) { *out << size.width << " x " << size.height; }
+
 namespace {
 
 using testing::HasSubstr;
@@ -128,7 +131,7 @@ TEST_F(CliViewTest, AWindowThatTheUserMadeLargerKeepsItsPixels) {
   EXPECT_TRUE(becomes(scaled({VisibleColumns + PanelWidth, VisibleRows}, 1.5)));
   server.key("t");
   EXPECT_TRUE(becomes({960, 720}));
-  XServer::xdotool("search --name '^racebeam' windowsize 1300 1000");
+  XServer::xdotool("search --name '^racebeam' windowmove 0 0 windowsize 1300 1000");
   EXPECT_TRUE(becomes({1300, 1000}));
   // Each pixel is two by two, in the middle of black.
   RgbImage expected(1300, 1000);

@@ -3,11 +3,15 @@
 #include "tb/output_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "tb/leftovers.h"
 #include "tests/scratch_folder.h"
 
 namespace racebeam {
@@ -51,6 +55,30 @@ TEST_F(OutputFileTest, TemporaryIsHiddenInTheSameFolderWithTheSameExtension) {
   EXPECT_EQ(temporary.filename().string().find(".a.b."), 0u);
   const OutputFile same(folder / "a.b.png");
   EXPECT_NE(file.temporary_path(), same.temporary_path());
+}
+
+TEST_F(OutputFileTest, WhatADeadProgramLeftGoesAndNothingElse) {
+  const pid_t child = fork();
+  if (child == 0) {
+    OutputFile file(folder / "a.png");
+    file.write("x", 1);
+    kill(getpid(), SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_EQ(folder.files(), 1) << "it was killed in the middle";
+  OutputFile alive(folder / "b.png");
+  alive.write("x", 1);
+  const std::string dead = "-" + std::to_string(child) + "-1.png";
+  for (const std::string name : {".c" + dead, ".d.ffffffff" + dead, "a." + owner_mark() + "-1.png"})
+    std::ofstream(folder / name) << "of somebody else";
+  const pid_t next = fork();
+  if (next == 0) {
+    write_text(folder / "e.txt", "text");
+    _exit(0);
+  }
+  waitpid(next, nullptr, 0);
+  EXPECT_EQ(folder.files(), 5) << "the child's is gone";
+  EXPECT_TRUE(std::filesystem::exists(alive.temporary_path()));
 }
 
 TEST_F(OutputFileTest, WithoutCommitNothingIsLeftAndTheOldFileStays) {

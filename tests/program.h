@@ -64,11 +64,14 @@ class Program {
   /// To all of its process group: Ctrl-C on a terminal. With Setting::group.
   void signal_group(int number) const { kill(-pid_, number); }
   /// Processes that it has started and that live.
-  int children() const {
+  int children() const { return static_cast<int>(children_ids().size()); }
+  std::vector<int> children_ids() const {
     const std::string process = std::to_string(pid_);
     std::istringstream all(read_file("/proc/" + process + "/task/" + process + "/children"));
-    return static_cast<int>(std::distance(std::istream_iterator<int>(all), {}));
+    return {std::istream_iterator<int>(all), {}};
   }
+  /// What it has said on stderr so far.
+  std::string said() const { return read_file(said_ / "err"); }
 
   /// Waits for the end. The exit code, or -signal if it was killed.
   int wait() {

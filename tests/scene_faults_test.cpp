@@ -178,5 +178,33 @@ TEST(SceneFaultsTest, AMegabyteOfRandomBytesIsRefused) {
   }
 }
 
+TEST(SceneFaultsTest, AFaultyRoomIsOneFault) {
+  const std::string text = R"([camera]
+room = "hall"
+position = [500, 0, 0]
+[[room]]
+id = "hall"
+centre = [0, 0, 0]
+half_size = [128, 256]
+[[room]]
+id = "bath"
+centre = [0, 0, 256]
+half_size = [128, 256, 128]
+portals = { south = "hall", north = "kitchen" }
+)";
+  const std::string faults = faults_of(text);
+  EXPECT_THAT(
+      faults,
+      AllOf(HasSubstr("f:7:13: 'half_size' is an array"), HasSubstr("there is no room 'kitchen'"),
+            Not(HasSubstr("there is no room 'hall'")), Not(HasSubstr("outside of its room"))));
+}
+
+TEST(SceneFaultsTest, TwoMarksForTheCameraAreNamedWithBothPlaces) {
+  const std::string faults = faults_of("[plan]\nstoreys = \"\"\"\n@..\n..@\n\"\"\"\n");
+  EXPECT_THAT(faults,
+              StartsWith("f:4:3: '@' stands in line 3, column 1 and in line 4, column 3\n"));
+  EXPECT_THAT(faults, Not(HasSubstr("has no room")));
+}
+
 }  // namespace
 }  // namespace racebeam

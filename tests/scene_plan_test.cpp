@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <random>
 
-#include "tb/scene/plan_picture.h"
+#include "tb/scene/camera_path.h"
+#include "tb/scene/plan_storeys.h"
 #include "tests/scene_text.h"
 
 namespace racebeam {
@@ -212,19 +213,71 @@ TEST(ScenePlanTest, BadPlansAreRefusedWithTheirPlace) {
          "f:2:18: rooms 'start' and '2.1.1' overlap");
 }
 
-TEST(ScenePlanTest, ThePictureShowsRoomsPortalsAndTheCamerasWay) {
-  const SceneFile scene = good_scene("frames = 200\n" + plan("@.\n#.\n", R"([camera]
-velocity = [1, 0, 0]
-)"));
-  const Canvas canvas = draw_plan(scene);
-  EXPECT_EQ(canvas.width(), 512 + 24);
-  EXPECT_EQ(canvas.height(), 512 + 24 + 512 + 24);
-  EXPECT_EQ(canvas.at(12 + 40, 12 + 40), PlanColours::Low);
-  EXPECT_EQ(canvas.at(12 + 128, 12 + 128), PlanColours::Start);
-  EXPECT_EQ(canvas.at(12 + 200, 12 + 128), PlanColours::Way);
-  EXPECT_EQ(canvas.at(12 + 256, 12 + 40), PlanColours::Portal);
-  EXPECT_EQ(canvas.at(12, 12 + 40), PlanColours::Wall);
-  EXPECT_EQ(canvas.at(12 + 100, 12 + 400), PlanColours::Paper) << "solid";
+// Two storeys with a step up to the second, a shaft between them, and a set of its own.
+const std::string House = R"(frames = 400
+[camera]
+velocity = [2, 0, 0]
+[[plan]]
+height = 200
+slab = 56
+storeys = ["@s", "h#"]
+[plan.cells]
+s = { floor = 100 }
+h = { hole = true }
+[[plan]]
+set = "b"
+origin = [0, 0, 4096]
+storeys = "@"
+[[shot]]
+frame = 100
+camera = { room = "b.start", velocity = [0, 0, 0] }
+[[shot]]
+frame = 300
+camera = { room = "2.1.1" }
+)";
+
+TEST(ScenePlanTest, StoreysHoldRoomsBesideEachOtherAndTheShaftsOverThem) {
+  const SceneFile scene = good_scene(House);
+  const std::vector<Storey> storeys = storeys_of(scene);
+  ASSERT_EQ(storeys.size(), 3U);
+  EXPECT_THAT(storeys[0].rooms, ElementsAre(number_of(scene, "start"), number_of(scene, "1.1.2")));
+  EXPECT_THAT(storeys[0].shafts, ElementsAre(number_of(scene, "start.up")));
+  EXPECT_THAT(storeys[1].rooms, ElementsAre(number_of(scene, "2.1.1")));
+  EXPECT_EQ(storeys[1].number, 2);
+  EXPECT_EQ(storeys[2].set, "b");
+  EXPECT_EQ(storeys[2].number, 1);
+}
+
+TEST(ScenePlanTest, StrandsEndWhereAShotSetsTheCameraDown) {
+  const SceneFile scene = good_scene(House);
+  const std::vector<Strand> strands = strands_of(scene, fly(scene), storeys_of(scene));
+  ASSERT_EQ(strands.size(), 3U);
+  for (const Strand& strand : strands) EXPECT_TRUE(strand.jumps);
+  EXPECT_EQ(strands[0].points.size(), 100U);
+  EXPECT_EQ(strands[0].points.back().frame, 99);
+  EXPECT_EQ(strands[0].points.back().place[0], 2 * 98) << "the second frame shows the same place";
+  EXPECT_EQ(strands[1].storey, 2);
+  EXPECT_EQ(strands[1].points.front().frame, 100);
+  EXPECT_EQ(strands[2].storey, 1);
+}
+
+TEST(ScenePlanTest, AStrandGoesOnInTheNextStoreyWhereItWas) {
+  const SceneFile scene = good_scene(R"(frames = 300
+camera.velocity = [0, -2, 0]
+[plan]
+height = 200
+slab = 56
+storeys = ["@", "h"]
+[plan.cells]
+h = { hole = true, height = 600 }
+)");
+  const std::vector<Strand> strands = strands_of(scene, fly(scene), storeys_of(scene));
+  ASSERT_EQ(strands.size(), 2U);
+  EXPECT_EQ(strands[0].storey, 0);
+  EXPECT_EQ(strands[1].storey, 1);
+  EXPECT_FALSE(strands[1].jumps);
+  EXPECT_EQ(strands[1].points[0].frame, strands[0].points.back().frame);
+  EXPECT_EQ(strands[1].points[1].place[1], strands[0].points.back().place[1] - 2);
 }
 
 }  // namespace

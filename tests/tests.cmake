@@ -157,13 +157,16 @@ foreach(
   cli_against
   cli_difference
   cli_explain
+  cli_folder
   cli_golden
   cli_gtkwave
+  cli_interrupt
   cli_jobs
   cli_overlay
   cli_progress
   cli_render
   cli_rtl
+  cli_rtl_faults
   cli_scene
   cli_trace
   cli_trace_around
@@ -201,8 +204,18 @@ target_link_libraries(cli_trace_event_test PRIVATE racebeam_trace)
 target_link_libraries(cli_trace_windows_test PRIVATE racebeam_golden)
 target_link_libraries(cli_trace_files_test PRIVATE racebeam_trace)
 if(SDL2_FOUND)
+  target_compile_definitions(cli_rtl_faults_test PRIVATE RACEBEAM_WINDOW)
   target_link_libraries(cli_view_test PRIVATE racebeam_view_parts PkgConfig::OIIO)
 endif()
+
+# Netlists by yosys
+add_racebeam_test(netlist cli racebeam_scene nlohmann_json::nlohmann_json GTest::gmock)
+add_racebeam_test(netlist_gates long racebeam_scene nlohmann_json::nlohmann_json GTest::gmock)
+foreach(stem netlist netlist_gates)
+  target_compile_definitions(${stem}_test PRIVATE RACEBEAM_BINARY="$<TARGET_FILE:racebeam>"
+                                                  RACEBEAM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  add_dependencies(${stem}_test racebeam)
+endforeach()
 
 # All frames of the demo are the taped-out chip's; two minutes
 add_test(NAME reference/AllFramesOfTheDemo COMMAND racebeam render demo --frames 12799 --jobs 2

@@ -23,15 +23,19 @@ class Faults {
   static constexpr int Kept = 1000;  ///< more are only counted
 
   void add(Place place, std::string what, std::string help);
+  /// What is allowed, but is probably not what the author meant.
+  void warn(Place place, std::string what, std::string help);
   bool none() const { return count_ == 0; }
   /// All that were met; kept() holds the first ones.
   int count() const { return count_; }
   const std::vector<Fault>& kept() const { return kept_; }
   /// By line and column: "FILE:LINE:COLUMN: what" and "  help: ...", each on a line of its own.
   std::string text(const std::string& file) const;
+  /// The same of the warnings: "FILE:LINE:COLUMN: warning: what".
+  std::string warnings(const std::string& file) const;
 
  private:
-  std::vector<Fault> kept_;
+  std::vector<Fault> kept_, warnings_;
   int count_ = 0;
 };
 

@@ -31,6 +31,7 @@ class PlanBuilder {
     const TomlNode* storeys = plan.require("storeys", "draw the plan: storeys = \"\"\"...\"\"\"");
     if (!storeys || !read_rows(*storeys, file, rows_, faults_)) return;
     if (!letters_are_known() || !count_is_possible(plan)) return;
+    warn_of_unused(plan);
     grid_ = lay_out(plan, style_, rows_);
     if (!own_set) return;
     style_.opening = std::min(style_.opening, grid_.closest());
@@ -90,6 +91,15 @@ class PlanBuilder {
                                    : "the plan is " + std::to_string(longest) + " cells long",
                   "at most " + std::to_string(MaxRooms) + " fit the room number");
     return cells > 0 && fits;
+  }
+
+  void warn_of_unused(const TableReader& plan) {
+    const TomlNode* cells = plan.find("cells");
+    if (!cells) return;
+    for (const TomlEntry& entry : cells->entries)
+      if (!used_.count(entry.key))
+        faults_.warn(entry.place, "no cell of the plan is " + quoted(entry.key),
+                     "draw one, or leave out the kind");
   }
 
   std::string cell_id(int s, int r, int c, const Letter& letter) {

@@ -37,7 +37,7 @@ void read_portals(const TomlNode& node, int room, std::vector<NamedPortal>& port
 }
 
 void read_room(const TomlNode& node, std::vector<Room>& rooms, std::vector<NamedPortal>& portals,
-               Faults& faults) {
+               std::vector<std::string>& faulty, Faults& faults) {
   const TableReader table(node, "room", faults);
   if (node.kind != TomlNode::Table) return;
   Room room;
@@ -53,6 +53,7 @@ void read_room(const TomlNode& node, std::vector<Room>& rooms, std::vector<Named
   std::vector<NamedPortal> own;
   if (const TomlNode* value = table.find("portals"))
     read_portals(*value, static_cast<int>(rooms.size()), own, faults);
+  if (named && (!placed || !sized)) faulty.push_back(room.id);
   if (!named || !placed || !sized) return;
   portals.insert(portals.end(), own.begin(), own.end());
   rooms.push_back(std::move(room));
@@ -61,16 +62,17 @@ void read_room(const TomlNode& node, std::vector<Room>& rooms, std::vector<Named
 }  // namespace
 
 void read_rooms(const TomlNode& node, std::vector<Room>& rooms, std::vector<NamedPortal>& portals,
-                Faults& faults) {
+                std::vector<std::string>& faulty, Faults& faults) {
   if (node.kind != TomlNode::Array) {
     faults.add(node.place, std::string("'room' is ") + node.kind_name(),
                "write each room below a line [[room]]");
     return;
   }
-  for (const TomlNode& item : node.items) read_room(item, rooms, portals, faults);
+  for (const TomlNode& item : node.items) read_room(item, rooms, portals, faulty, faults);
 }
 
-std::map<std::string, int> room_numbers(const std::vector<Room>& rooms, Faults& faults) {
+std::map<std::string, int> room_numbers(const std::vector<Room>& rooms,
+                                        const std::vector<std::string>& faulty, Faults& faults) {
   std::map<std::string, int> numbers;
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     const auto [at, added] = numbers.emplace(rooms[i].id, static_cast<int>(i));
@@ -78,6 +80,7 @@ std::map<std::string, int> room_numbers(const std::vector<Room>& rooms, Faults& 
     faults.add(rooms[i].place, "the room id " + quoted(rooms[i].id) + " is used twice",
                "rename one; the other is in " + place_text(rooms[at->second].place));
   }
+  for (const std::string& id : faulty) numbers.emplace(id, FaultyRoom);
   return numbers;
 }
 
@@ -101,6 +104,7 @@ void connect_named(const std::vector<NamedPortal>& portals,
                  room_help(portal.id, numbers, faults));
       continue;
     }
+    if (at->second == FaultyRoom) continue;
     const Room& to = rooms[at->second];
     if (from.set != to.set) {
       faults.add(portal.place,

@@ -20,12 +20,17 @@ struct NamedPortal {
   Place place;
 };
 
-/// Adds the rooms of all [[room]] tables and what they say of portals.
+/// The number of a room that has a fault: what names it is not one more.
+constexpr int FaultyRoom = -1;
+
+/// Adds the good rooms of all [[room]] tables and what they say of portals, and the ids of the
+/// others.
 void read_rooms(const TomlNode& node, std::vector<Room>& rooms, std::vector<NamedPortal>& portals,
-                Faults& faults);
+                std::vector<std::string>& faulty, Faults& faults);
 
 /// Room number of each id; doubled ids are faults.
-std::map<std::string, int> room_numbers(const std::vector<Room>& rooms, Faults& faults);
+std::map<std::string, int> room_numbers(const std::vector<Room>& rooms,
+                                        const std::vector<std::string>& faulty, Faults& faults);
 
 /// Looks names up, checks that the rooms touch (unless `overlap`), and connects them.
 void connect_named(const std::vector<NamedPortal>& portals,

@@ -120,4 +120,34 @@ void check_views(const SceneFile& scene, Faults& faults) {
                  : "make rooms smaller, or allow it: wrap = true");
 }
 
+void warn_of_lost_rooms(const SceneFile& scene, Faults& faults) {
+  std::vector<bool> reached(scene.rooms.size(), false);
+  // Reaches all that can be reached from a room; how many those are.
+  const auto reach = [&](int start) {
+    std::vector<int> next = {start};
+    int count = 0;
+    while (!next.empty()) {
+      const int room = next.back();
+      next.pop_back();
+      if (reached[room]) continue;
+      reached[room] = true;
+      ++count;
+      for (const std::vector<int>& face : scene.rooms[room].portals)
+        next.insert(next.end(), face.begin(), face.end());
+    }
+    return count;
+  };
+  for (const Shot& shot : scene.shots)
+    if (shot.restart) reach(shot.camera.room);
+  for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
+    if (reached[i]) continue;
+    const int others = reach(static_cast<int>(i)) - 1;
+    faults.warn(scene.rooms[i].place,
+                "nothing leads to " + quoted(scene.rooms[i].id) +
+                    (others > 0 ? " and " + std::to_string(others) + " more" : ""),
+                "join it to a room by a portal, set the camera down in it by a [[shot]], or leave "
+                "it out");
+  }
+}
+
 }  // namespace racebeam

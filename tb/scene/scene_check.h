@@ -28,4 +28,7 @@ void check_rooms(const SceneFile& scene, Faults& faults);
 /// Adds the faults of the camera's way and of the corner bits; rooms and shots are good.
 void check_views(const SceneFile& scene, Faults& faults);
 
+/// Warns of rooms that no portals lead to from where the camera is set down.
+void warn_of_lost_rooms(const SceneFile& scene, Faults& faults);
+
 }  // namespace racebeam

@@ -61,13 +61,17 @@ SceneResult read_scene(std::string_view text, const std::string& name) {
   const int faults_before = faults.count();
   if (const TomlNode* plan = root->find("plan")) read_plans(*plan, text, scene.rooms, faults);
   std::vector<NamedPortal> portals;
-  if (const TomlNode* rooms = root->find("room")) read_rooms(*rooms, scene.rooms, portals, faults);
+  std::vector<std::string> faulty;
+  if (const TomlNode* rooms = root->find("room"))
+    read_rooms(*rooms, scene.rooms, portals, faulty, faults);
   check_count(scene, faults_before, faults);
-  const std::map<std::string, int> numbers = room_numbers(scene.rooms, faults);
+  const std::map<std::string, int> numbers = room_numbers(scene.rooms, faulty, faults);
   connect_named(portals, numbers, scene.overlap, scene.rooms, faults);
   if (scene.rooms.size() <= MaxRooms) check_rooms(scene, faults);
   read_shots(*root, numbers, scene, faults);
-  if (faults.none()) check_views(scene, faults);
+  if (!faults.none()) return result;
+  check_views(scene, faults);
+  warn_of_lost_rooms(scene, faults);
   return result;
 }
 

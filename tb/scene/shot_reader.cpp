@@ -16,6 +16,18 @@ constexpr int FramesAfterLastShot = 600;  // ten seconds
 constexpr int LargestPosition = 8191, LargestVelocity = 1023;
 constexpr int LargestStart = 65536, LargestStep = 1024, LargestEvery = 65536, LargestPerLine = 16;
 
+// An eighth of a turn is written as 45 by who counts in degrees.
+void warn_of_degrees(const TomlNode& node, const std::string& key, int value, Faults& faults) {
+  constexpr int FullTurn = 360, Eighth = FullTurn / 8;
+  if (value == 0 || value % Eighth != 0 || std::abs(value) > FullTurn) return;
+  const int degrees = (value * FullTurn * 2 / TurnUnits + (value > 0 ? 1 : -1)) / 2;
+  faults.warn(
+      node.place,
+      "'" + key + "' is " + std::to_string(value) + " of " + std::to_string(TurnUnits) +
+          ": that is " + std::to_string(degrees) + " degrees",
+      std::to_string(value) + " degrees are " + std::to_string(value * TurnUnits / FullTurn));
+}
+
 // A turn given by itself or by its start alone; what it does not say starts afresh.
 void read_turn(const TableReader& camera, const std::string& key, int units, int frame,
                Turn& turn) {
@@ -33,6 +45,9 @@ void read_turn(const TableReader& camera, const std::string& key, int units, int
   } else {
     read_number(*node, key, -LargestStart, LargestStart, next.start, camera.faults());
   }
+  const TomlNode* start = node->kind == TomlNode::Table ? node->find("start") : node;
+  if (units == TurnUnits && start && start->kind == TomlNode::Integer)
+    warn_of_degrees(*start, key, next.start, camera.faults());
   turn = next;
 }
 
@@ -61,12 +76,24 @@ class ShotReader {
  private:
   void start_at_mark(Shot& shot) {
     if (scene_.rooms.empty()) return;  // a fault of its own
-    const auto at = numbers_.find("start");
-    if (at != numbers_.end()) shot.camera.room = at->second;
-    else
+    const auto at = numbers_.find("start"), first = numbers_.find("start.1"),
+               second = numbers_.find("start.2");
+    if (at != numbers_.end()) {
+      shot.camera.room = at->second;
+    } else if (first != numbers_.end() && second != numbers_.end() && first->second >= 0 &&
+               second->second >= 0) {
+      const Place one = scene_.rooms[first->second].place, two = scene_.rooms[second->second].place;
+      faults_.add(two, "'@' stands " + place_text(one) + " and " + place_text(two),
+                  "leave one of them: the camera starts there; or write [camera] room = \"ID\"");
+    } else {
       faults_.add(shot.place, "the camera has no room",
                   "mark a cell of the plan with '@', or write [camera] room = \"ID\"; "
                   "that of a plan with a set is \"SET.start\"");
+    }
+  }
+
+  static std::string place_text(Place place) {
+    return "in line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
   }
 
   void read_camera(const TomlNode& node, Shot& shot) {

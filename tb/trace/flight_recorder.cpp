@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/flight_recorder.h"
 
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,14 +11,18 @@
 #include <initializer_list>
 #include <utility>
 
+#include "sc/rtl_run.h"
+#include "tb/child.h"
 #include "tb/errors.h"
 #include "tb/guarded.h"
+#include "tb/interrupt.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int NoAnswer = -1;
+constexpr int ReplaySeconds = 60;  // after an interrupt
 const std::initializer_list<int> Crashes = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 const std::initializer_list<int> Interrupts = {SIGINT, SIGTERM, SIGHUP};
 
@@ -60,9 +63,8 @@ void FlightRecorder::pass(std::int64_t clock) {
 
 bool FlightRecorder::copy(std::int64_t clock) {
   int ends[2];
-  std::fflush(nullptr);
   if (pipe(ends) != 0) return false;
-  const pid_t process = fork();
+  const pid_t process = fork_child();
   if (process == 0) {
     close(ends[1]);
     wait_for_event(ends[0]);
@@ -76,7 +78,6 @@ bool FlightRecorder::copy(std::int64_t clock) {
 // The life of a copy: it ends without a word if the pipe is closed. It never returns to the
 // program, whose threads are not copied, and ends with whoever waits for it.
 void FlightRecorder::wait_for_event(int orders) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int number : Interrupts) signal(number, SIG_IGN);
   for (const int number : Crashes) signal(number, SIG_DFL);
   for (const Copy& older : copies_) close(older.order);  // or they would not see them closed
@@ -101,6 +102,7 @@ int FlightRecorder::status_of(const FlightEvent& event) {
 }
 
 int FlightRecorder::replay(const FlightEvent& event) {
+  time_to_finish(ReplaySeconds);
   const int status = status_of(event);
   if (status == NoAnswer)
     throw MissingTool(
@@ -127,6 +129,7 @@ void FlightRecorder::catch_crashes(std::function<std::int64_t()> clock_now) {
 }
 
 void FlightRecorder::crashed(int signal) {
+  leave_rtl(signal);  // the crash of a guest, who is replayed as one that ends
   FlightRecorder& recorder = *crashing;
   const std::int64_t clock = recorder.clock_now_();
   recorder.status_of({FlightEvent::Crash, clock, clock - recorder.keep_ + 1, clock, signal});

@@ -45,7 +45,7 @@ void TileRun::restart() {
 }
 
 // A pin is as the chip's logic sees it: behind the register of the inputs.
-std::vector<ChipSignal> TileRun::signals(bool registers) {
+std::vector<ChipSignal> TileRun::signals(bool) {
   run_.stand();
   const rtl_model& model = run_.chip().model();
   std::set<std::string> pins;
@@ -54,7 +54,7 @@ std::vector<ChipSignal> TileRun::signals(bool registers) {
   for (int n = 0; n < model.signal_count; ++n) {
     const std::string name = model.signals[n].name;
     const bool is_pin = pins.count(name) > 0;
-    if (model.signals[n].bits <= WidestSignal && (registers || is_pin))
+    if (model.signals[n].bits <= WidestSignal)
       by_name.emplace(name, signal_of(model.signals[n], is_pin));
   }
   for (int n = 0; n < model.port_count; ++n) {

@@ -20,7 +20,7 @@ class TileRun : public ClockedRun {
   const Raster& raster() const override { return run_.found().raster; }
   int period_ps() const override { return period_ps_; }
   /// Those that are wider than 64 bits are left out. To be asked for before each_clock().
-  std::vector<ChipSignal> signals(bool registers) override;
+  std::vector<ChipSignal> signals(bool) override;
   const char* left_out() const override { return "the chip's pins and the beam alone"; }
 
   bool go_to(std::int64_t clock) override;

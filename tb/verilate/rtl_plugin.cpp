@@ -11,6 +11,7 @@
 #include "sc/rtl_library.h"
 #include "tb/errors.h"
 #include "tb/verilate/cache_folder.h"
+#include "tb/verilate/clock_wrapper.h"
 #include "tb/verilate/elaborated.h"
 #include "tb/verilate/making_line.h"
 #include "tb/verilate/project_folder.h"
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* Registered = "registered_inputs";  ///< module around a whole chip
+/// Another one whenever the same sources shall become another plug-in.
+constexpr const char* Recipe = "2";
 
 void write(const std::string& path, const std::string& text) {
   std::ofstream out(path);
@@ -34,6 +36,7 @@ void write(const std::string& path, const std::string& text) {
 }
 
 std::string glue_file() { return project_folder() + "/sc/rtl_glue.cc.in"; }
+std::string runtime_header() { return project_folder() + "/sc/rtl_runtime.h"; }
 
 std::string compiler() {
   const char* named = std::getenv("CXX");
@@ -55,9 +58,9 @@ class Compiler {
     if (has_tool("ccache")) words.insert(words.begin(), "ccache");
     for (const std::string& word :
          {std::string("-std=c++17"), std::string("-O3"), std::string("-pipe"),
-          std::string("-DVL_USER_FATAL"), std::string("-fPIC"), std::string("-fvisibility=hidden"),
-          std::string("-fno-gnu-unique"), std::string("-w"), std::string("-I."),
-          "-I" + project_folder()})
+          std::string("-fno-finite-loops"), std::string("-include"), runtime_header(),
+          std::string("-fPIC"), std::string("-fvisibility=hidden"), std::string("-fno-gnu-unique"),
+          std::string("-w"), std::string("-I."), "-I" + project_folder()})
       words.push_back(word);
     words.insert(words.end(), {"-isystem", runtime, "-isystem", runtime + "/vltstd", "-c", source,
                                "-o", object});
@@ -84,25 +87,6 @@ class Compiler {
   std::string folder_;
   std::function<void()> tick_;
 };
-
-/// A module that puts registers before all inputs of a chip but its clock.
-std::string registered(const RtlSyntax& chip) {
-  std::string ports, registers, pins;
-  const auto comma = [](std::string& text) { text += text.empty() ? "\n  " : ",\n  "; };
-  for (const RtlSyntax::Port& port : chip.ports) {
-    const std::string range = "[" + std::to_string(port.bits - 1) + ":0] ";
-    comma(ports);
-    comma(pins);
-    ports += port.direction + " wire " + range + port.name;
-    const bool straight = port.direction != "input" || port.name == chip.clock;
-    pins += "." + port.name + "(" + port.name + (straight ? ")" : "_q)");
-    if (!straight)
-      registers += "reg " + range + port.name + "_q; always @(posedge " + chip.clock + ") " +
-                   port.name + "_q <= " + port.name + ";\n";
-  }
-  return std::string("module ") + Registered + " (" + ports + ");\n" + registers + chip.top.name +
-         " chip (" + pins + ");\nendmodule\n";
-}
 
 /// A name that is the same in C++.
 bool is_plain(const std::string& name) {
@@ -139,18 +123,20 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
 /// What the glue is told of the RTL: all but texts, so that equal RTL elsewhere compiles to the
 /// same.
 std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
+  const bool wrapped = is_wrapped(sources, syntax);
   std::string text = "#define RTL_PORTS";
-  for (const RtlSyntax::Port& port : syntax.ports)
-    if (is_plain(port.name))
-      text += " RTL_PORT(" + port.name + ", " + std::to_string(port.bits) + ", " +
-              (port.direction == "input" ? "1" : "0") + ")";
+  for (const RtlSyntax::Port& port : syntax.ports) {
+    if (!is_plain(port.name)) continue;
+    const bool ticks = syntax.rising_only && port.name == syntax.clock;
+    text += " RTL_PORT(" + port.name + ", " + (ticks ? Tick : port.name) + ", " +
+            std::to_string(port.bits) + ", " + (port.direction == "input" ? "1" : "0") + ")";
+  }
   text += "\n";
-  if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
-  if (syntax.rising_only) text += "#define RTL_RISING_ONLY\n";
-  const bool wrapped = sources.top == Registered;
+  if (syntax.rising_only) text += std::string("#define RTL_TICK ") + Tick + "\n";
+  else if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
   if (sources.signals)
     text += "#define RTL_SIGNALS\n#define RTL_SCOPE " +
-            (wrapped ? c_string(std::string(Registered) + ".chip") : "rtl_unit") + "\n";
+            (wrapped ? c_string(std::string(Wrapper) + "." + Wrapped) : "rtl_unit") + "\n";
   return text;
 }
 
@@ -165,7 +151,8 @@ std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& circu
 
 /// Verilator's run time, compiled once for all plug-ins.
 std::string runtime_object(const std::string& source, const MakingLine& line) {
-  const std::string key = content_key({source, verilator_version(), compiler()});
+  const std::string key =
+      content_key({source, verilator_version(), compiler(), file_key(runtime_header())});
   return cached(key + ".o", [&](const std::string& out) {
     const WorkFolder work;
     Compiler(work.path(), line.tick()).compile(verilator_runtime() + "/" + source, out);
@@ -177,17 +164,19 @@ void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
   std::vector<std::string> objects = {runtime_object("verilated.cpp", line),
                                       runtime_object("verilated_threads.cpp", line)};
   const WorkFolder work;
-  if (sources.kind == RtlSources::Chip && !syntax.clock.empty()) {
-    write(work.file("registered_inputs.sv"), registered(syntax));
-    sources.files.push_back(work.file("registered_inputs.sv"));
-    sources.top = Registered;
+  const std::string known = facts(sources, syntax);
+  if (is_wrapped(sources, syntax)) {
+    write(work.file("wrapper.sv"), clock_wrapper(sources, syntax));
+    sources.files.push_back(work.file("wrapper.sv"));
+    sources.top = Wrapper;
+    sources.parameters.clear();
   }
   const auto circular = circular_signals(write_rtl_classes(sources, work.path(), line.tick()));
   std::vector<std::string> classes;
   for (const auto& entry : fs::directory_iterator(work.path()))
     if (entry.path().extension() == ".cpp") classes.push_back(entry.path().filename());
   std::sort(classes.begin(), classes.end());
-  std::string all = facts(sources, syntax);
+  std::string all = known;
   for (const std::string& file : classes) all += "#include " + c_string(file) + "\n";
   all += "#include \"sc/rtl_glue.cc.in\"\n";
   write(work.file("all.cc"), all);
@@ -205,9 +194,9 @@ void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
 std::string rtl_plugin(const RtlSources& sources) {
   const std::string content = elaborated(sources).content;
   const std::string key =
-      content_key({content, sources.kind == RtlSources::Chip ? "chip" : "unit",
+      content_key({Recipe, content, sources.kind == RtlSources::Chip ? "chip" : "unit",
                    sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
-                   file_key(project_folder() + "/sc/rtl_model.h")});
+                   file_key(project_folder() + "/sc/rtl_model.h"), file_key(runtime_header())});
   return cached(key + ".so",
                 [&](const std::string& out) { make(sources, read_rtl_syntax(sources), out); });
 }

@@ -49,8 +49,9 @@ bool allow_unknown_lint(std::vector<std::string>& words, const std::string& mess
 std::string run_verilator(const RtlSources& sources, std::vector<std::string> words,
                           const std::function<void()>& tick) {
   words.insert(words.begin(), "verilator");
-  for (const char* common : {"--no-timing", "-Wno-fatal", "-Wno-lint", "-Wno-style",
-                             "-Wfuture-WIDTHTRUNC", "-Wfuture-WIDTHEXPAND"})
+  for (const char* common :
+       {"--no-timing", "-Wno-fatal", "-Wno-lint", "-Wno-style", "-Wfuture-WIDTHTRUNC",
+        "-Wfuture-WIDTHEXPAND", "-Werror-USERERROR", "-Werror-USERFATAL"})
     words.emplace_back(common);
   for (const std::string& word : source_words(sources)) words.push_back(word);
   ToolResult result = run_tool({words, "", {}, tick});

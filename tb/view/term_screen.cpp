@@ -58,7 +58,7 @@ class Terminal : public ViewScreen {
   }
   ~Terminal() override {
     const std::string_view leave = Leave;
-    if (write(STDOUT_FILENO, leave.data(), leave.size()) < 0) return;
+    if (write(stdout_file(), leave.data(), leave.size()) < 0) return;
     if (keys_) tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
     for (const std::string& line : told_) tell(line);
   }
@@ -93,7 +93,7 @@ class Terminal : public ViewScreen {
  private:
   static TermSize size() {
     winsize size{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return {};
+    if (ioctl(stdout_file(), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return {};
     return {std::clamp<int>(size.ws_col, Smallest, Largest),
             std::clamp<int>(size.ws_row, Smallest, Largest)};
   }
@@ -108,7 +108,7 @@ class Terminal : public ViewScreen {
 }  // namespace
 
 std::unique_ptr<ViewScreen> open_terminal(bool endless) {
-  if (isatty(STDOUT_FILENO)) return std::make_unique<Terminal>();
+  if (isatty(stdout_file())) return std::make_unique<Terminal>();
   if (endless)
     throw UsageError("stdout is no terminal: give --frames N to write N pictures as text");
   return std::make_unique<Pages>();

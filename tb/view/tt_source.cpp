@@ -25,7 +25,13 @@ std::uint64_t TtSource::begin_of(int frame) const {
 
 void TtSource::seek(int frame) {
   frame_ = frame;
-  if (run_.clock() > begin_of(frame)) run_.restart();
+  const std::uint64_t begin = begin_of(frame);
+  if (run_.clock() > begin) run_.restart();
+  // What is near is done at once.
+  const auto near = static_cast<std::uint64_t>(watch_.raster().frame_clocks());
+  if (begin - run_.clock() <= near) run_.run(begin, changes_);
+  if (!changes_.empty()) now_ = changes_.back();
+  changes_.clear();
   watch_.restart();
 }
 

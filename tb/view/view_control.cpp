@@ -81,7 +81,7 @@ const std::vector<KeyHelp>& all_help() {
       {"u", "the numbers are uio_in, ui_in", KeyHelp::Tile},
       {"w", "write the inputs so far to a file", KeyHelp::Tile},
       {"b", "beam position"},
-      {"i", "borders of intervals", KeyHelp::Model},
+      {"i", "borders of intervals; a click: what explains a pixel", KeyHelp::Model},
       {"g", "gauges of FIFO and stacks", KeyHelp::Model},
       {"t", "statistics"},
       {"f", "free flight, paused too; back to the path", KeyHelp::Model},
@@ -93,8 +93,7 @@ const std::vector<KeyHelp>& all_help() {
       {"f5", "load the scene file again", KeyHelp::Model},
       {"m", "sound off, on"},
       {"f11", "full screen"},
-      {"h f1", "this help; a click: the command that explains a pixel", KeyHelp::Model},
-      {"h f1", "this help", KeyHelp::Tile},
+      {"h f1", "this help"},
       {"q escape", "quit"},
   };
   return rows;

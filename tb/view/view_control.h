@@ -100,9 +100,9 @@ class ViewControl {
   static const std::vector<KeyHelp>& help(bool tile = false);
 
  private:
-  bool tile_key(const std::string& key);
   int held(const char* key) const { return held_.count(key) + tapped_.count(key) > 0 ? 1 : 0; }
   Motion motion() const;
+  bool tile_key(const std::string& key);
 
   std::queue<ViewAction> actions_;
   std::set<std::string> held_, tapped_;  // tapped: since the last take_motion()

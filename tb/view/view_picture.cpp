@@ -85,9 +85,10 @@ void paint_message(RgbImage& picture, const std::string& message, const FrameWat
   constexpr int Margin = 3;
   const std::vector<std::string> lines = broken(message);
   const int height = height_of(lines, Margin);
-  const bool beam_below = !watch.whole() && watch.screen().y() > FirstVisibleLine + VisibleRows / 2;
-  const int top = beam_below ? 0 : VisibleRows - height;
-  picture.tint(0, top, VisibleColumns, height, Shade, 0.8);
+  const Raster& raster = watch.raster();
+  const int row = watch.screen().y() - raster.first_visible_line;
+  const int top = !watch.whole() && row > raster.rows / 2 ? 0 : raster.rows - height;
+  picture.tint(0, top, raster.columns, height, Shade, 0.8);
   paint_lines(picture, top + Margin, lines);
 }
 

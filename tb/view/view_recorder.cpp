@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "sc/constants.h"
 #include "tb/counted.h"
 #include "tb/image_files.h"
 #include "tb/output_file.h"
@@ -39,10 +38,10 @@ std::string ViewRecorder::inputs(const std::string& text, int frame) const {
   return name;
 }
 
-void ViewRecorder::start(int frame, const Raster& raster) {
+void ViewRecorder::start(int frame, int columns, int rows, double frames_per_second) {
   gif_name_ = free_name(frame, ".gif");
   empty_ = true;
-  gif_ = std::make_unique<GifWriter>(gif_name_, raster.columns, raster.rows, Rate);
+  gif_ = std::make_unique<GifWriter>(gif_name_, columns, rows, frames_per_second);
 }
 
 void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {

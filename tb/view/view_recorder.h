@@ -10,15 +10,12 @@
 #include <vector>
 
 #include "tb/gif_writer.h"
-#include "tb/raster.h"
 #include "tb/view/rgb_image.h"
 
 namespace racebeam {
 
 class ViewRecorder {
  public:
-  static constexpr double Rate = 60;  ///< frames of the show a second
-
   explicit ViewRecorder(std::string folder) : folder_(std::move(folder)) {}
 
   /// Writes view_0060.png, or view_0060_2.png if that is there. Returns its name. Throws
@@ -31,7 +28,7 @@ class ViewRecorder {
   bool recording() const { return gif_ != nullptr; }
   /// Begins view_0060.gif, which has the chip's own pictures, without overlays, and plays at the
   /// speed of the show. Throws OutputError.
-  void start(int frame, const Raster& raster);
+  void start(int frame, int columns, int rows, double frames_per_second);
   const std::string& gif_name() const { return gif_name_; }
   /// A whole frame, if it is recording, so many frames of the show after the one before. Throws
   /// OutputError.

@@ -135,6 +135,7 @@ class Window : public ViewScreen {
   Extent picture_{VisibleColumns, VisibleRows}, own_;  // own: of the window, as it was made here
   Extent fitted_ = picture_;                           // the picture for which that was
   Extent larger_size_;
+  Extent chip_ = picture_;  // its own part of the picture
   bool full_screen_ = false;
 };
 
@@ -161,7 +162,7 @@ bool Window::poll(ViewControl& control) {
     if (event.type == SDL_MOUSEMOTION) control.mouse(event.motion.xrel, event.motion.yrel);
     if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
       const auto [column, row] = pixel_at(event.button.x, event.button.y);
-      if (column >= 0 && column < VisibleColumns && row >= 0 && row < VisibleRows)
+      if (column >= 0 && row >= 0 && column < chip_.width && row < chip_.height)
         control.click(column, row);
     }
     if (event.type == SDL_AUDIODEVICEREMOVED && sound_ && event.adevice.which == sound_) {
@@ -238,6 +239,8 @@ void Window::show(const Viewer& viewer) {
   const RgbImage picture = viewer.picture_with_message();
   const Extent size{picture.width(), picture.height()};
   SDL_SetWindowTitle(window_, viewer.title().c_str());
+  const Raster& raster = viewer.source().watch().raster();
+  chip_ = {raster.columns, raster.rows};
   if (!texture_ || size != picture_) take_picture_size(size);
   if (fitted_ != picture_ && !is_given_its_size()) fit_window();
   SDL_UpdateTexture(texture_, nullptr, picture.bytes(), 3 * picture.width());

@@ -127,7 +127,7 @@ void Viewer::act(ViewAction action) {
 void Viewer::toggle_recording() {
   const FrameWatch& watch = stage_.source->watch();
   if (recorder_.recording()) return say_and_tell(recorder_.stop());
-  recorder_.start(watch.frame(), watch.raster());
+  recorder_.start(watch.frame(), watch.raster().columns, watch.raster().rows, frame_rate());
   say("recording " + recorder_.gif_name() + "; v: stop");
   if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
 }
@@ -160,6 +160,11 @@ void Viewer::look_for_news(double elapsed) {
   if (since_news_ < NewsInterval) return;
   since_news_ = 0;
   if (auto news = watch_.look()) take_scene(std::move(*news));
+}
+
+// Of the chip itself, a second.
+double Viewer::frame_rate() const {
+  return stage_.source->clock_hz() / stage_.source->watch().raster().frame_clocks();
 }
 
 // The pin is clocked by the beam: other clocks a pixel would make other tones.
@@ -227,11 +232,9 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   }
   say_changes(acted);
   if (fill_ && stage_.source->fast()) clocks(stage_.source->clocks_left());
-  // A new picture is seen before it runs on.
-  if (!filled && !acted && !finished()) {
-    if (!control.state.paused) run(elapsed, in_time);
-    else if (flight_ && control.steered()) fly_while_paused(elapsed);
-  }
+  const bool news = filled || acted;  // a new picture is seen before it runs on
+  if (!news && !control.state.paused && !finished()) run(elapsed, in_time);
+  if (!news && control.state.paused && flight_ && control.steered()) fly_while_paused(elapsed);
   if (!fill_) control.state.inputs = stage_.source->inputs();
 }
 

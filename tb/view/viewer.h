@@ -89,11 +89,11 @@ class Viewer {
 
  private:
   void act(ViewAction action);
-  void press_inputs();
   void say_changes(bool acted);
   void say_and_tell(const std::string& message);
   void age_message(double elapsed);
   void explain();
+  void press_inputs();
   void look_for_news(double elapsed);
   void take_scene(SceneWatch::News news);
   void set_stage(Stage stage, int frame);
@@ -102,6 +102,7 @@ class Viewer {
   void run(double elapsed, const std::function<bool()>& in_time);
   void show_frames(int frames);
   void play_frames(int frames);
+  double frame_rate() const;
   bool audible() const;
   int clocks(int count);
   void finish_frame();

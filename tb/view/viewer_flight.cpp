@@ -45,7 +45,7 @@ void Viewer::toggle_flight() {
 // The pause holds the clock, not the camera: whole frames, each from where it is.
 void Viewer::fly_while_paused(double elapsed) {
   finish_frame();
-  passed_ = std::max(static_cast<int>(std::lround(elapsed * ViewRecorder::Rate)), 1);
+  passed_ = std::max(static_cast<int>(std::lround(elapsed * frame_rate())), 1);
   clocks(stage_.source->clocks_left());
 }
 

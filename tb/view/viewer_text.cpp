@@ -129,7 +129,7 @@ std::vector<std::string> Viewer::words() const {
 bool Viewer::drawn(ViewControl::Pixel pixel) const {
   const FrameWatch& watch = stage_.source->watch();
   if (watch.whole()) return true;
-  const int row = watch.screen().y() - FirstVisibleLine;
+  const int row = watch.screen().y() - watch.raster().first_visible_line;
   if (pixel.row != row) return pixel.row < row;
   return pixel.column < watch.raster().column_at[watch.screen().clock_of_line()];
 }
@@ -148,8 +148,8 @@ void Viewer::explain() {
   std::string text = command;
   for (const IntervalEvent& event : watch.intervals())
     if (event.y == row + FirstVisibleLine && event.from < column && column <= event.to + 1)
-      text += fmt::format("\npixels {}..{}: {} {} deep, {}", event.from, event.to,
-                          counted(event.depth, "room"), event.wall ? "to a wall" : "given up",
+      text += fmt::format("\npixels {}..{}: {} entered, {}, {}", event.from, event.to,
+                          counted(event.depth, "room"), event.wall ? "a wall hit" : "given up",
                           counted(event.decisions, "decision"));
   say(text);
 }

@@ -1,5 +1,5 @@
 // libFuzzer target: no text makes the scene reader crash or hang, and a scene without faults can
-// be compiled for the chip, flown and drawn.
+// be compiled for the chip, flown and laid out for a drawing.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "tb/scene/camera_path.h"
-#include "tb/scene/plan_picture.h"
+#include "tb/scene/plan_storeys.h"
 #include "tb/scene/scene_compiler.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/scene/scene_sight.h"
@@ -40,6 +40,18 @@ void check_portals(const racebeam::SceneFile& scene) {
       }
 }
 
+// Every room is in one storey, and every frame on one strand, or on two where the storey changes.
+void check_strands(const racebeam::SceneFile& scene, const racebeam::CameraPath& path) {
+  const std::vector<racebeam::Storey> storeys = racebeam::storeys_of(scene);
+  std::size_t rooms = 0, frames = 0;
+  for (const racebeam::Storey& storey : storeys)
+    rooms += storey.rooms.size() + storey.shafts.size();
+  if (rooms != scene.rooms.size()) std::abort();
+  for (const racebeam::Strand& strand : racebeam::strands_of(scene, path, storeys))
+    frames += strand.points.size();
+  if (frames < path.points.size()) std::abort();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -55,6 +67,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   (void)deepest_view(result.scene);
   // The rest is slow under sanitizers and the same for every frame.
   if (result.scene.rooms.size() > 200 || result.scene.frames > 2000) return 0;
-  (void)draw_plan(result.scene);
+  check_strands(result.scene, path);
   return 0;
 }

@@ -1,0 +1,27 @@
+// A module around RTL that is to be verilated, so that a clock costs one evaluation.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "tb/verilate/rtl_sources.h"
+#include "tb/verilate/rtl_syntax.h"
+
+namespace racebeam {
+
+constexpr const char* Wrapper = "racebeam_wrapper";  ///< the module
+constexpr const char* Wrapped = "racebeam_wrapped";  ///< the instance in it
+constexpr const char* Tick = "racebeam_tick";        ///< its input in the place of the clock
+
+/// Whether `sources` want one: a whole chip, for the registers before its inputs, and what uses
+/// nothing but the rising edge of its clock.
+bool is_wrapped(const RtlSources& sources, const RtlSyntax& syntax);
+
+/// Its text: the ports of the RTL, which gets its parameters here. If only rising edges matter,
+/// each change of Tick is a whole clock, in one evaluation; otherwise the clock is a port as it
+/// was.
+std::string clock_wrapper(const RtlSources& sources, const RtlSyntax& syntax);
+
+}  // namespace racebeam
