@@ -29,7 +29,7 @@ class CliInterruptTest : public testing::Test {
   }
   /// It has so many processes, itself too, and is at work.
   void expect_processes(int wanted) {
-    ASSERT_TRUE(own.become(wanted)) << own.count() << " processes";
+    ASSERT_TRUE(own.work_as(wanted)) << own.count() << " processes";
   }
   void expect_end_by(int signal, const std::string& what) {
     program->signal(signal);

@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"Finish", "$finish;", {Ends, ": $finish"}},
         Fault{"Fatal", "$fatal(1, \"boom\");", {Ends, ": error: boom"}},
-        Fault{"Loop", "", {"the RTL of stacks", "does not settle", ": mine.sv:", " swing"}},
+        Fault{"Loop", "", {"the RTL of stacks", "does not settle", ": mine.sv:", "stacks.swing"}},
         Fault{"Hang",
               "while (clocks_q == 500) $c(\"\");",
               {"the RTL of stacks does not return from clock 500", "RACEBEAM_RTL_SECONDS"}},

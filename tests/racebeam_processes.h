@@ -18,17 +18,30 @@ class MarkedProcesses {
  public:
   /// For Program::Setting::environment.
   std::string mark() const { return mark_; }
-  /// Those that live now.
-  int count() const {
+  /// Those that live now; `of_program`: what the program itself has forked, nothing it has started.
+  int count(bool of_program = false) const {
     int found = 0;
+    std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       const std::string name = entry.path().filename();
       if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-      found += read_file(entry.path() / "environ").find(mark_) != std::string::npos;
+      if (read_file(entry.path() / "environ").find(mark_) == std::string::npos) continue;
+      if (of_program &&
+          std::filesystem::read_symlink(entry.path() / "exe", error) != RACEBEAM_BINARY)
+        continue;
+      ++found;
     }
     return found;
   }
-  /// Whether there are so many within a minute.
+  /// Whether the program comes to so many processes, for a tenth of a second, within a minute.
+  bool work_as(int wanted) const {
+    for (int n = 0, in_a_row = 0; n < 6000; ++n, usleep(10'000)) {
+      in_a_row = count(true) == wanted ? in_a_row + 1 : 0;
+      if (in_a_row == 10) return true;
+    }
+    return false;
+  }
+  /// Whether there are so many of all within a minute.
   bool become(int wanted) const {
     for (int n = 0; n < 6000; ++n, usleep(10'000))
       if (count() == wanted) return true;
