@@ -27,8 +27,9 @@ std::shared_ptr<void> load(const std::string& path) {
 
 std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void>& library,
                                                       const std::string& path) {
-  const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make"));
-  if (!maker) throw RtlError(path + " is no plug-in; make one with `racebeam verilate`");
+  const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make_2"));
+  if (!maker)
+    throw RtlError(path + " is no plug-in of this racebeam; make one with `racebeam verilate`");
   rtl_model* model = maker(&rtl_run_host());
   return {model, model->destroy};
 }

@@ -48,6 +48,6 @@ struct rtl_host {
   void (*end)(rtl_end how, const char* file, int line, const char* message);
 };
 
-/// The one symbol of a plug-in, "rtl_make": a new instance.
+/// The one symbol of a plug-in, "rtl_make_2": a new instance. The number is that of this interface.
 typedef rtl_model* (*rtl_maker)(const rtl_host* host);
 }
