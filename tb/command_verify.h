@@ -17,7 +17,7 @@ struct VerifyOptions {
   long long random = 100000;             ///< clocks of random traffic for each unit
   long long seed = 1;
   std::string folder = "racebeam_verify";  ///< for waveforms of differences
-  bool watch = false;  ///< for verify_watch()
+  bool watch = false;                      ///< for verify_watch()
   bool json = false;
 };
 

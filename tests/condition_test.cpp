@@ -20,7 +20,9 @@ class ConditionTest : public testing::Test {
  protected:
   ConditionTest() { run.go_to(TracePoint{7223, -100, 333}.ordinal(raster)); }
   /// Whether it holds in the clock that the run stands in.
-  bool holds(const std::string& text) { return Condition(text, chip_signals(bench), raster).holds(run.clock()); }
+  bool holds(const std::string& text) {
+    return Condition(text, chip_signals(bench), raster).holds(run.clock());
+  }
   std::string refusal(const std::string& text) {
     try {
       Condition(text, chip_signals(bench), raster);
