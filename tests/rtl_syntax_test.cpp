@@ -237,7 +237,8 @@ TEST_F(RtlSyntaxTest, EachRiseIsOneClockWithAndWithoutChangesBetween) {
     past[1] = past[0];
     past[0] = q;
     q = now;
-    if (clock > 2) ASSERT_EQ(value(rtl_port_of(model, "o")), past[1] ^ now) << "clock " << clock;
+    if (clock <= 2) continue;
+    ASSERT_EQ(value(rtl_port_of(model, "o")), past[1] ^ now) << "clock " << clock;
   }
 }
 
