@@ -68,9 +68,10 @@ TEST_F(CliGoldenTest, ComparesTheChipAndSaysWhy) {
                                        total.at("differing_pixels").at(tracer).dump() +
                                        "  in difference_NNNN.png " + colour));
   for (const auto& [cause, pixels] : total.at("causes").items())
-    if (pixels > 0)
+    if (pixels > 0) {
       EXPECT_THAT(program.out(),
                   testing::ContainsRegex("  " + cause + " +" + pixels.dump() + "  "));
+    }
   for (const char* name : {"difference_9279.png", "difference_9579.png"}) {
     EXPECT_EQ(read_file(folder / ("o/" + std::string(name))).substr(1, 3), "PNG");
     EXPECT_THAT(parse("o/manifest.json").at("files"), testing::Contains(name));
