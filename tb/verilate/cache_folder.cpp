@@ -66,9 +66,12 @@ std::string find_folder() {
                                          : fs::path();
   if (!users.empty() && make_writable(users).empty()) return fs::absolute(users);
   const std::string named = variable("TMPDIR");
-  const fs::path temporary =
-      fs::path(named.empty() ? "/tmp" : named) / ("racebeam-" + std::to_string(geteuid()));
-  const std::string why = make_writable(temporary);
+  const fs::path temporaries(named.empty() ? "/tmp" : named);
+  const fs::path temporary = temporaries / ("racebeam-" + std::to_string(geteuid()));
+  std::error_code error;
+  const std::string why = fs::is_directory(temporaries, error) ? make_writable(temporary)
+                          : error                              ? error.message()
+                                                               : "no such folder";
   if (!why.empty())
     throw UsageError("there is no place for the cache: " + temporary.string() + ": " + why +
                      "; set TMPDIR or RACEBEAM_CACHE to a folder that can be written");

@@ -117,6 +117,9 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
   for (const auto& place : syntax.loops) add("loop", place);
   for (const auto& place : syntax.calls) add("call", place);
   for (const std::string& signal : circular) text += "circular " + signal + "\n";
+  const std::string inside = std::string(Wrapper) + "." + Wrapped + ".";
+  for (std::size_t at = 0; (at = text.find(inside, at)) != std::string::npos;)
+    text.replace(at, inside.size(), syntax.top.name + ".");
   return text;
 }
 
