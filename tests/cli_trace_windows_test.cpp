@@ -86,7 +86,7 @@ std::uint64_t changes_in(const std::string& text) {
   std::uint64_t count = 0;
   std::string line;
   std::getline(in, line);
-  while (std::getline(in, line)) count += line[0] != '#';
+  while (std::getline(in, line)) count += line[0] != '#' && line[0] != '$';
   return count;
 }
 

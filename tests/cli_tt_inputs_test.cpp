@@ -23,7 +23,8 @@ class CliTtInputsTest : public testing::Test {
   }
   /// The pictures of frames 0 to count - 1.
   std::vector<Picture> render(int count, const Words& more = {"--inputs", "in.csv"}) {
-    Words words = {"render", "--tt", Paddle, "--frames", std::to_string(count), "-o", "out"};
+    Words words = {"render", "--tt", Paddle,       "--frames", std::to_string(count),
+                   "-o",     "out",  "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
     Program run(folder.path(), words);
     EXPECT_EQ(run.wait(), 0) << run.err();

@@ -21,7 +21,7 @@ const std::string Bars = RACEBEAM_SOURCE_DIR "/tests/tt/bars";
 class CliTtTest : public testing::Test {
  protected:
   Words render(const Words& more) {
-    Words words = {"render"};
+    Words words = {"render", "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -192,8 +192,8 @@ TEST_F(CliTtTest, RefusesRtlThatIsNoTile) {
   expect_source_end("tt_um_bars.v", "initial ", "initial $finish; initial ", 2,
                     {"tt_um_bars.v:20: $finish"});
   setenv("RACEBEAM_RTL_SECONDS", "0.5", 1);
-  expect_source_end("tt_um_bars.v", "initial ", "initial forever $c(\"\"); initial ", 2,
-                    {"tt_um_bars does not return from clock 0"});
+  change("src/tt_um_bars.v", "initial ", "initial forever $c(\"\"); initial ");
+  expect_end({"--tt", "bars", "--trust"}, 2, {"tt_um_bars does not return from clock 0"});
   EXPECT_FALSE(fs::exists(folder / "racebeam_out"));
 }
 

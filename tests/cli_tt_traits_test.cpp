@@ -40,7 +40,7 @@ class CliTtTraitsTest : public testing::Test {
   }
   /// Renders the bars: exit code, what is said, and what is not.
   void expect_bars(const Words& more, int code, const Words& said, const std::string& unsaid = "") {
-    Words words = {"render", "--tt", "bars", "--json", "--crc"};
+    Words words = {"render", "--tt", "bars", "--json", "--crc", "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
     Program run(folder.path(), words);
     EXPECT_EQ(run.wait(), code) << run.err();
