@@ -22,6 +22,11 @@ namespace {
 
 std::FILE* results = stdout;
 
+bool is_set(const char* name) {
+  const char* value = std::getenv(name);
+  return value && *value;
+}
+
 }  // namespace
 
 // A closed stdout or stderr stays closed.
@@ -51,13 +56,11 @@ void tell(std::string_view text) {
 }
 
 bool on_terminal() {
-  const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && term && std::string_view(term) != "dumb";
+  return isatty(STDERR_FILENO) && is_set("TERM") && std::getenv("TERM") != std::string_view("dumb");
 }
 
-bool in_colours() {
-  const char* plain = std::getenv("NO_COLOR");
-  return on_terminal() && (!plain || std::string_view(plain).empty());
-}
+bool in_colours() { return on_terminal() && !is_set("NO_COLOR"); }
+
+bool watched() { return on_terminal() && !is_set("CI"); }
 
 }  // namespace racebeam

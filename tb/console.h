@@ -28,5 +28,7 @@ void tell(std::string_view text);
 bool on_terminal();
 /// And wants colours: the environment has no NO_COLOR.
 bool in_colours();
+/// And somebody watches it: a line may be drawn over and over. Not where CI is set.
+bool watched();
 
 }  // namespace racebeam

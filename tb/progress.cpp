@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <string_view>
 
 #include "tb/console.h"
 
@@ -17,11 +15,6 @@ namespace {
 
 constexpr int BarWidth = 24;
 constexpr std::chrono::milliseconds Pause{100};
-
-bool somebody_watches() {
-  const char* ci = std::getenv("CI");
-  return on_terminal() && (!ci || std::string_view(ci).empty());
-}
 
 std::string time_text(double seconds) {
   const auto whole = static_cast<long long>(seconds + 0.5);
@@ -33,7 +26,7 @@ std::string time_text(double seconds) {
 }  // namespace
 
 Progress::Progress(std::int64_t total, const char* things)
-    : total_(std::max<std::int64_t>(total, 1)), things_(things), enabled_(somebody_watches()) {}
+    : total_(std::max<std::int64_t>(total, 1)), things_(things), enabled_(watched()) {}
 
 void Progress::draw(std::int64_t done, std::uint64_t clocks, const std::string& note) {
   if (!enabled_) return;

@@ -248,6 +248,8 @@ TEST_F(CliRenderTest, ProgressIsShownOnATerminalOnly) {
   EXPECT_THAT(seen.out(), Not(HasSubstr("\x1b")));
   Program quiet(folder.path(), words);
   EXPECT_EQ(quiet.err(), "racebeam: wrote 1 frame, a.json\n");
+  Program unwatched(folder.path(), words, {{}, RLIM_INFINITY, true, "CI=true"});
+  EXPECT_EQ(unwatched.err(), "racebeam: wrote 1 frame, a.json\r\n");
 }
 
 }  // namespace

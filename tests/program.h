@@ -102,6 +102,7 @@ class Program {
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
     setenv("TERM", "xterm", 1);
+    unsetenv("CI");
     std::string extra = setting.environment;
     if (!extra.empty()) putenv(extra.data());
     const rlimit limit{setting.largest_file, RLIM_INFINITY};

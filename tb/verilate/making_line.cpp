@@ -2,28 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/verilate/making_line.h"
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <string_view>
 
 #include "tb/console.h"
 
 namespace racebeam {
 
-namespace {
-
-bool terminal_moves_cursor() {
-  const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && term && std::string_view(term) != "dumb";
-}
-
-}  // namespace
-
 MakingLine::MakingLine(const std::string& module, const std::vector<std::string>& files)
-    : text_("verilating " + module), moves_(terminal_moves_cursor()) {
+    : text_("verilating " + module), moves_(watched()) {
   if (!files.empty())
     text_ += " (" + std::filesystem::path(files[0]).filename().string() +
              (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more)" : ")");
