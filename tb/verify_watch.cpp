@@ -3,7 +3,6 @@
 #include "tb/verify_watch.h"
 
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +17,7 @@
 
 #include "sc/rtl_library.h"
 #include "sc/unit_choices.h"
+#include "tb/child.h"
 #include "tb/console.h"
 #include "tb/errors.h"
 #include "tb/guarded.h"
@@ -89,11 +89,9 @@ std::vector<std::string> paths_of(const std::vector<std::string>& words) {
 
 /// Ends with what `verify` returns; a Ctrl-C goes on to it.
 int run(const VerifyOptions& options) {
-  std::fflush(nullptr);
-  const pid_t child = fork();
+  const pid_t child = fork_child();
   if (child < 0) throw MissingTool("there is no place for another process");
   if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
     const int code = guarded([&] { return command_verify(options); });
     std::fflush(nullptr);
     _exit(code);

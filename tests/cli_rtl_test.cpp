@@ -103,6 +103,26 @@ TEST_F(CliRtlTest, CtrlCWhileVerilatingEndsWith130AndLeavesNothing) {
   EXPECT_EQ(in_cache(".so"), 0);
 }
 
+TEST_F(CliRtlTest, WhatAKilledProgramHasStartedDiesWithIt) {
+  fs::create_directory(folder / "bin");
+  write("bin/verilator", "#!/bin/sh\nsleep 1000 &\necho $! > $0.new\nmv $0.new $0.id\nwait\n");
+  fs::permissions(folder / "bin/verilator", fs::perms::owner_all);
+  Program::Setting setting;
+  setting.environment = "PATH=" + (folder / "bin") + ":" + std::getenv("PATH");
+  Program run(folder.path(), verify("stacks=" + Rtl + "scene.sv"), setting);
+  const std::string file = folder / "bin/verilator.id";
+  for (int n = 0; n < 6000 && !fs::exists(file); ++n) usleep(10'000);
+  const int started = std::stoi(read_file(file));
+  const auto lives = [&] {
+    return !read_file("/proc/" + std::to_string(started) + "/cmdline").empty();
+  };
+  ASSERT_TRUE(lives());
+  run.signal(SIGKILL);
+  EXPECT_EQ(run.wait(), -SIGKILL);
+  for (int n = 0; n < 6000 && lives(); ++n) usleep(10'000);
+  EXPECT_FALSE(lives());
+}
+
 TEST_F(CliRtlTest, AnIncludeBesideTheFileIsFoundAndItsChangeIsSeen) {
   fs::create_directory(folder / "rtl");
   write("rtl/mine.sv", "`include \"one.svh\"\n" + stacks_with("`ONE"));

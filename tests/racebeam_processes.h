@@ -18,17 +18,15 @@ class MarkedProcesses {
  public:
   /// For Program::Setting::environment.
   std::string mark() const { return mark_; }
-  /// Those that live now; `of_program`: what the program itself has forked, nothing it has started.
+  /// Those that live now; `of_program`: what the program itself has forked to do its work, neither
+  /// what it has started nor who keeps that.
   int count(bool of_program = false) const {
     int found = 0;
-    std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       const std::string name = entry.path().filename();
       if (name.find_first_not_of("0123456789") != std::string::npos) continue;
       if (read_file(entry.path() / "environ").find(mark_) == std::string::npos) continue;
-      if (of_program &&
-          std::filesystem::read_symlink(entry.path() / "exe", error) != RACEBEAM_BINARY)
-        continue;
+      if (of_program && read_file(entry.path() / "comm") != "racebeam\n") continue;
       ++found;
     }
     return found;

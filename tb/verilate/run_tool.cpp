@@ -6,16 +6,19 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
+#include "tb/child.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
 
@@ -44,8 +47,8 @@ std::vector<std::string> environment_with(const std::vector<std::string>& more) 
   return all;
 }
 
-/// Starts it in a group of its own with `output` as its stdout and stderr; returns its id.
-pid_t start(const ToolRun& run, int output) {
+/// Starts it with `output` as its stdout and stderr; 0 or the error, its id in `tool`.
+int spawn(const ToolRun& run, int output, pid_t& tool) {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -60,18 +63,36 @@ pid_t start(const ToolRun& run, int output) {
   for (const int number : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) sigaddset(&usual, number);
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &usual);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes,
-                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   const std::vector<std::string> environment = environment_with(run.environment);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, run.words[0].c_str(), &files, &attributes,
+  const int error = posix_spawnp(&tool, run.words[0].c_str(), &files, &attributes,
                                  pointers(run.words).data(), pointers(environment).data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
-  if (error == ENOENT) throw MissingTool(run.words[0] + " is not installed");
-  if (error != 0) throw MissingTool(run.words[0] + " cannot be started: " + std::strerror(error));
-  return child;
+  return error;
+}
+
+void end_group(int) { kill(0, SIGKILL); }
+
+/// Between the program and a tool: leads the process group of all that the tool starts, and ends it
+/// when the program ends, even by SIGKILL. Returns its id.
+pid_t start(const ToolRun& run, int output) {
+  const pid_t keeper = fork_child();
+  if (keeper < 0) throw MissingTool("there is no place for another process");
+  setpgid(keeper, keeper);
+  if (keeper != 0) return keeper;
+  prctl(PR_SET_NAME, "racebeam-tool");
+  signal(SIGTERM, end_group);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  pid_t tool = 0;
+  if (const int error = spawn(run, output, tool)) {
+    dprintf(output, "%s cannot be started: %s\n", run.words[0].c_str(), std::strerror(error));
+    _exit(1);
+  }
+  const int status = wait_for_child(tool);
+  if (WIFSIGNALED(status))
+    dprintf(output, "%s was ended by signal %d\n", run.words[0].c_str(), WTERMSIG(status));
+  _exit(status == 0 ? 0 : 1);
 }
 
 /// A pipe that children get only as their output.
@@ -98,6 +119,7 @@ class Pipe {
 }  // namespace
 
 ToolResult run_tool(const ToolRun& run) {
+  if (!has_tool(run.words[0])) throw MissingTool(run.words[0] + " is not installed");
   catch_interrupts();
   Pipe pipe;
   const pid_t child = start(run, pipe.writer());
@@ -106,8 +128,7 @@ ToolResult run_tool(const ToolRun& run) {
   for (bool open = true; open;) {
     if (interrupted()) {
       kill(-child, SIGKILL);
-      while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-      }
+      wait_for_child(child);
       throw Interrupted();
     }
     if (run.tick) run.tick();
@@ -118,12 +139,7 @@ ToolResult run_tool(const ToolRun& run) {
     if (got > 0) result.said.append(buffer, static_cast<std::size_t>(got));
     else open = got < 0 && errno == EINTR;
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  result.good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (WIFSIGNALED(status))
-    result.said += run.words[0] + " was ended by signal " + std::to_string(WTERMSIG(status)) + "\n";
+  result.good = wait_for_child(child) == 0;
   return result;
 }
 
