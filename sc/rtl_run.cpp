@@ -170,6 +170,16 @@ RtlFault left(int number) {
   return RtlFault(begin + file + " crashed" + clock + ": " + strsignal(number));
 }
 
+/// step(top); false if a signal handler has left it. A function of its own: after a jump, nothing
+/// in it can be relied on.
+[[gnu::noinline]] bool returns(void (*step)(void*), void* top) {
+  if (__builtin_setjmp(now.way_out)) return false;
+  now.inside = 1;
+  step(top);
+  now.inside = 0;
+  return true;
+}
+
 }  // namespace
 
 void leave_rtl(int number) {
@@ -193,18 +203,20 @@ void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
   now.model = &model;
   now.clock = clock;
   now.number = now.number + 1;
-  if (__builtin_setjmp(now.way_out)) throw left(now.left_by);
+  bool whole = false;
   try {
-    now.inside = 1;
-    step(model.top);
-    now.inside = 0;
+    whole = returns(step, model.top);
   } catch (const RtlFault&) {
     now.inside = 0;
     throw;
   } catch (const std::exception& error) {
     now.inside = 0;
     throw RtlFault(in_clock() + error.what());
+  } catch (...) {
+    now.inside = 0;
+    throw RtlFault(in_clock() + "an exception of no known type");
   }
+  if (!whole) throw left(now.left_by);
 }
 
 }  // namespace racebeam

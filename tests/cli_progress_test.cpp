@@ -19,6 +19,7 @@ struct Command {
   Words words;
   const char* bar;  // a part of it
 };
+void PrintTo(const Command& command, std::ostream* out) { *out << command.name; }
 
 class CliProgressTest : public testing::TestWithParam<Command> {
  protected:

@@ -22,6 +22,7 @@ struct Fault {
   const char* statement;          ///< in clock 500; empty: a loop without a register
   std::vector<const char*> said;  ///< parts of the message
 };
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
 class RtlFaultsBench : public testing::Test {
  protected:
@@ -133,6 +134,7 @@ TEST_F(CliRtlEndsTest, StopErrorAndExceptionsAreToldApart) {
       {"", "$stop;", {Ends, ": $stop"}},
       {"", "$error(\"count %0d\", clocks_q);", {Ends, ": error: count 500"}},
       {"", "$c(\"throw std::runtime_error(\\\"no more\\\");\");", {"in clock 500: no more"}},
+      {"", "$c(\"throw 7;\");", {"in clock 500: an exception of no known type"}},
       {"", "$c(\"abort();\");", {"crashed in clock 500: Aborted"}},
       {"", "$c(\"volatile int z = 0; z = 7 / z;\");", {"in clock 500: Floating point exception"}}};
   for (const Fault& fault : faults) {
