@@ -30,8 +30,13 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
   for (any_port* pin : pins) {
     const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
     if (pin->port_name() == std::string(Clock)) continue;
-    if (pin->is_input()) inputs_.push_back({pin, value(rtl)});
-    else outputs_.push_back({pin, value(rtl)});
+    if (pin->is_input()) {
+      inputs_.push_back({pin, value(rtl)});
+      continue;
+    }
+    outputs_.push_back({pin, value(rtl)});
+    auto& alike = rtl.bytes == 1 ? bytes_ : rtl.bytes == 2 ? halves_ : words_;
+    alike.push_back({rtl.data, NoValue, pin});
   }
   std::string other;
   for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), k))
@@ -75,13 +80,20 @@ void rtl_instance::settle() {
 
 void rtl_instance::edge() { library_.rise(); }
 
-void rtl_instance::drive() {
-  for (joint& out : outputs_) {
-    const int now = out.rtl.read();
+template <class Raw>
+void rtl_instance::drive(std::vector<driven>& outputs) {
+  for (driven& out : outputs) {
+    const int now = static_cast<int>(*static_cast<const Raw*>(out.data));
     if (now == out.last) continue;
     out.last = now;
     out.pin->drive_wire(now);
   }
+}
+
+void rtl_instance::drive() {
+  drive<std::uint8_t>(bytes_);
+  drive<std::uint16_t>(halves_);
+  drive<std::uint32_t>(words_);
 }
 
 void rtl_instance::seek(int frame) {

@@ -54,7 +54,7 @@ class rtl_instance {
     any_port* pin;
     value rtl;
     wire_contents wire{};  ///< once it has settled
-    int last = NoValue;    ///< written to the RTL, or driven onto the wire
+    int last = NoValue;    ///< written to the RTL, of an input
   };
   const std::vector<joint>& inputs() const { return inputs_; }
   const std::vector<joint>& outputs() const { return outputs_; }
@@ -68,6 +68,14 @@ class rtl_instance {
 
  private:
   static constexpr int NoValue = -1;
+  /// An output, as drive() walks over it after each evaluation: little, and by size.
+  struct driven {
+    const void* data;
+    int last;
+    any_port* pin;
+  };
+  template <class Raw>
+  static void drive(std::vector<driven>& outputs);
 
   value port(const std::string& name) const;
   void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
@@ -75,7 +83,8 @@ class rtl_instance {
 
   rtl_library library_;
   std::vector<joint> inputs_, outputs_;
-  bool settled_ = false;  // at least once
+  std::vector<driven> bytes_, halves_, words_;  // the outputs
+  bool settled_ = false;                        // at least once
 };
 
 }  // namespace racebeam

@@ -3,8 +3,6 @@
 #include "tb/command_verilate.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "tb/errors.h"
 #include "tb/output_file.h"
@@ -12,6 +10,7 @@
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/source_list.h"
+#include "tb/whole_file.h"
 
 namespace racebeam {
 
@@ -43,8 +42,7 @@ RtlSources sources_of(const VerilateOptions& options) {
 }
 
 void copy_whole(const std::string& from, const std::string& to) {
-  std::ifstream in(from, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::string bytes = whole_file(from);
   OutputFile out(to);
   out.write(bytes.data(), bytes.size());
   out.commit();

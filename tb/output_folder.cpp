@@ -8,13 +8,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <system_error>
 
 #include "tb/errors.h"
 #include "tb/output_file.h"
+#include "tb/whole_file.h"
 
 namespace racebeam {
 
@@ -41,11 +40,6 @@ std::vector<fs::path> make_folder(const fs::path& folder) {
   return made;
 }
 
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool overwrite)
@@ -53,7 +47,7 @@ OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool o
   take();
   std::error_code ignored;
   if (overwrite || !fs::exists(path_ / ManifestName, ignored)) return;
-  before_ = read_text(path_ / ManifestName);
+  before_ = whole_file(path_ / ManifestName);
   check(what);
 }
 

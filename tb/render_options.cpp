@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <system_error>
 
+#include "sc/rtl_remarks.h"
 #include "tb/console.h"
 #include "tb/content_hash.h"
 #include "tb/nearest.h"
@@ -21,6 +20,8 @@
 #include "tb/set_knob.h"
 #include "tb/trace/wave_file.h"
 #include "tb/use_option.h"
+#include "tb/verilate/source_list.h"
+#include "tb/whole_file.h"
 
 namespace racebeam {
 
@@ -191,13 +192,13 @@ std::map<std::string, ManifestUnit> units_of(const RenderPlan& plan,
       if (equals == std::string::npos || unit == units.end()) continue;
       const auto start = word.find("lockstep:") == equals + 1 ? word.find(':') : equals;
       unit->second.files.clear();
-      std::istringstream files(word.substr(start + 1));
-      for (std::string file; std::getline(files, file, '+');) {
+      const std::string text = word.substr(start + 1);
+      if (!is_source_list(text) && fs::path(text).extension() != ".so") continue;
+      for (const std::string& file :
+           is_source_list(text) ? files_of_list(unit->first, text) : std::vector{text}) {
         std::error_code ignored;
-        if (!fs::is_regular_file(file, ignored)) continue;
-        std::ifstream in(file, std::ios::binary);
-        unit->second.files[file] =
-            content_hash(std::string{std::istreambuf_iterator<char>(in), {}});
+        if (fs::is_regular_file(file, ignored))
+          unit->second.files[nearer_path(file)] = content_hash(whole_file(file));
       }
     }
   }

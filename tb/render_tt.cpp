@@ -24,6 +24,7 @@ namespace racebeam {
 namespace {
 
 struct TtPlan : OutputPlan {
+  TtReading reading;
   TtProject project;
   TtInputs inputs;
 };
@@ -39,7 +40,7 @@ void refuse_scene_options(const RenderOptions& options) {
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
-  TtPlan plan{plan_output(options, MostTtFrames), {}, tt_inputs(options)};
+  TtPlan plan{plan_output(options, MostTtFrames), options.reading, {}, tt_inputs(options)};
   if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
                                  MostTtFrames - 1));
@@ -57,6 +58,12 @@ Manifest manifest_of(const TtPlan& plan) {
   manifest.level = plan.project.top + ", verilated";
   manifest.inputs = {{"ui_in", std::to_string(plan.inputs.start().ui)},
                      {"uio_in", std::to_string(plan.inputs.start().uio)}};
+  if (const TtReading& reading = plan.reading; reading.clock_hz)
+    manifest.inputs["clock_hz"] = std::to_string(*reading.clock_hz);
+  if (!plan.reading.defines.empty())
+    manifest.inputs["defines"] = fmt::format("{}", fmt::join(plan.reading.defines, " "));
+  if (!plan.reading.include_folders.empty())
+    manifest.inputs["include"] = fmt::format("{}", fmt::join(plan.reading.include_folders, " "));
   if (!plan.inputs.changes().empty()) manifest.inputs["changes"] = content_hash(plan.inputs.text());
   return manifest;
 }

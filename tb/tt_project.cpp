@@ -3,19 +3,18 @@
 #include "tb/tt_project.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
+#include "tb/content_hash.h"
 #include "tb/errors.h"
 #include "tb/tt_settings.h"
+#include "tb/whole_file.h"
 
 namespace racebeam {
 
@@ -134,15 +133,6 @@ void read_sources(const InfoFile& info, bool trust, TtProject& project) {
   }
 }
 
-std::string hash_of(const std::vector<std::string>& files) {
-  std::string all;
-  for (const std::string& file : files) {
-    std::ifstream in(file, std::ios::binary);
-    all.append(std::istreambuf_iterator<char>(in), {});
-  }
-  return fmt::format("xxh64 {:016x}", XXH64(all.data(), all.size(), 0));
-}
-
 /// Include folders and defines.
 void read_settings(const TtReading& reading, TtProject& project) {
   const fs::path folder(project.folder);
@@ -191,7 +181,9 @@ TtProject read_tt_project(const std::string& folder, const TtReading& reading) {
   read_sources(info, reading.trust, project);
   read_clock(info, reading, project);
   read_settings(reading, project);
-  project.hash = hash_of(project.sources);
+  std::string all;
+  for (const std::string& file : project.sources) all += whole_file(file);
+  project.hash = content_hash(all);
   return project;
 }
 

@@ -23,7 +23,6 @@
 #include "tb/guarded.h"
 #include "tb/interrupt.h"
 #include "tb/verilate/project_folder.h"
-#include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/source_list.h"
 
 namespace racebeam {
@@ -58,8 +57,7 @@ class Snapshot {
   std::map<std::string, State> states_;
 };
 
-/// The files of a word such as "stacks", "all" or "stacks=mine.sv", which comes first; those that
-/// they include, if they can be read.
+/// The files of a word such as "stacks", "all" or "stacks=mine.sv".
 std::vector<std::string> files_of(const std::string& word) {
   const auto equals = word.find('=');
   if (word == "all") {
@@ -70,14 +68,7 @@ std::vector<std::string> files_of(const std::string& word) {
   const std::string unit = word.substr(0, equals);
   const std::string text =
       equals == std::string::npos ? rtl_folder() + "/" + unit + ".sv" : word.substr(equals + 1);
-  if (!is_source_list(text)) return {text};
-  std::vector<std::string> files = named_paths(text);
-  try {
-    for (const std::string& file : read_rtl_syntax(read_source_list(unit, text)).files)
-      files.push_back(file);
-  } catch (const RtlError&) {  // the run says what is wrong
-  }
-  return files;
+  return is_source_list(text) ? files_of_list(unit, text) : std::vector<std::string>{text};
 }
 
 std::vector<std::string> paths_of(const std::vector<std::string>& words) {

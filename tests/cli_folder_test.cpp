@@ -154,6 +154,17 @@ TEST_F(CliFolderTest, FilesOfRtlAreInTheManifestWithTheirContents) {
               HasSubstr("units.stacks.files.mine.sv: xxh64"));
 }
 
+TEST_F(CliFolderTest, ListsOfRtlAreInTheManifestWithAllTheirFiles) {
+  fs::create_directory(folder / "a");
+  std::ofstream(folder / "a/stacks.sv") << "`include \"more.svh\"\n"
+                                        << read_file(RACEBEAM_SOURCE_DIR "/rtl/stacks.sv");
+  std::ofstream(folder / "a/more.svh") << "// more\n";
+  render({"--use", "stacks=a"});
+  EXPECT_TRUE(manifest()["units"]["stacks"]["files"].contains("a/stacks.sv"));
+  std::ofstream(folder / "a/more.svh") << "// still more\n";
+  EXPECT_THAT(render({"--use", "stacks=a"}, 2), HasSubstr("units.stacks.files.a/more.svh: xxh64"));
+}
+
 TEST_F(CliFolderTest, KnobsThatCountForLessAreToldAndWritten) {
   const std::string said =
       render({"--set", "max_room_depth=14", "--set", "face_stack_depth=2", "--stats", "s.json"});

@@ -16,12 +16,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "sc/rtl_library.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
+#include "tb/whole_file.h"
 
 namespace racebeam {
 
@@ -175,9 +175,7 @@ std::string content_key(const std::vector<std::string>& parts) {
 }
 
 std::string file_key(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return "";
-  return content_key({std::string{std::istreambuf_iterator<char>(in), {}}});
+  return std::ifstream(path) ? content_key({whole_file(path)}) : "";
 }
 
 std::string in_cache(const std::string& name) {

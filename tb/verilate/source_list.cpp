@@ -7,7 +7,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "sc/rtl_library.h"
 #include "tb/errors.h"
+#include "tb/verilate/rtl_syntax.h"
 
 namespace racebeam {
 
@@ -137,6 +139,14 @@ RtlSources read_source_list(const std::string& top, const std::string& text) {
   return read_all(top, text).sources();
 }
 
-std::vector<std::string> named_paths(const std::string& text) { return read_all("", text).named(); }
+std::vector<std::string> files_of_list(const std::string& top, const std::string& text) {
+  const auto read = read_all(top, text);
+  std::vector<std::string> files = read.named();
+  try {
+    for (const std::string& file : read_rtl_syntax(read.sources()).files) files.push_back(file);
+  } catch (const RtlError&) {  // who verilates it says what is wrong
+  }
+  return files;
+}
 
 }  // namespace racebeam

@@ -20,7 +20,8 @@ bool is_source_list(const std::string& text);
 /// begin at its own folder. Throws UsageError with file and line.
 RtlSources read_source_list(const std::string& top, const std::string& text);
 
-/// Files and folders that `text` names, lists inside lists too: what may change.
-std::vector<std::string> named_paths(const std::string& text);
+/// Files and folders that `text` names, lists inside lists too, and then the files that the RTL of
+/// `top` is made of, includes too, if it can be read: what may change.
+std::vector<std::string> files_of_list(const std::string& top, const std::string& text);
 
 }  // namespace racebeam
