@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -24,6 +25,8 @@ namespace {
 constexpr std::uint64_t MostPrinted = 10'000'000;  // bytes
 constexpr int Looks = 4;                           // at an evaluation that does not return
 constexpr int Stuck = SIGVTALRM;                   // the signal of a look
+constexpr int Patience = 2;                        // seconds to tell of RTL that was left
+constexpr int ExitFault = 2;
 
 /// The evaluation that is going on, for signal handlers and for what RTL calls.
 struct Evaluation {
@@ -100,25 +103,51 @@ void end(rtl_end how, const char* file, int line_number, const char* message) {
                  "register between" + (loop.empty() ? "" : ": " + loop));
 }
 
-/// The processor time of this process alone: timers are not inherited.
-void start_clock() {
+double seconds_to_return() {
   const char* wish = std::getenv("RACEBEAM_RTL_SECONDS");
-  const double seconds = std::max(wish ? std::atof(wish) : 10, 0.1);
-  const double look = seconds / Looks;
+  if (!wish || !*wish) return 10;
+  char* end = nullptr;
+  const double seconds = std::strtod(wish, &end);
+  if (*end || !(seconds >= 0.1 && seconds <= 1e6))
+    throw RtlError(std::string("RACEBEAM_RTL_SECONDS is '") + wish +
+                   "'; write a number of seconds from 0.1 on");
+  return seconds;
+}
+
+/// What leaves RTL by force may leave the heap locked or broken: then only these words are said.
+struct {
+  timer_t timer;
+  char text[256];
+} last_words;
+
+[[noreturn]] void give_up() {
+  if (write(STDERR_FILENO, last_words.text, std::strlen(last_words.text)) < 0) _exit(ExitFault);
+  _exit(ExitFault);
+}
+
+void set(timer_t timer, double seconds, bool again) {
+  struct itimerspec time {};
+  time.it_value.tv_sec = static_cast<time_t>(seconds);
+  time.it_value.tv_nsec =
+      static_cast<long>((seconds - static_cast<double>(time.it_value.tv_sec)) * 1e9);
+  if (again) time.it_interval = time.it_value;
+  timer_settime(timer, 0, &time, nullptr);
+}
+
+/// The processor time of this process alone: timers are not inherited.
+void start_clocks() {
   struct sigevent event {};
   event.sigev_notify = SIGEV_SIGNAL;
   event.sigev_signo = Stuck;
   timer_t timer{};
-  if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) != 0) return;
-  struct itimerspec time {};
-  time.it_value.tv_sec = static_cast<time_t>(look);
-  time.it_value.tv_nsec =
-      static_cast<long>((look - static_cast<double>(time.it_value.tv_sec)) * 1e9);
-  time.it_interval = time.it_value;
-  timer_settime(timer, 0, &time, nullptr);
+  if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) == 0)
+    set(timer, seconds_to_return() / Looks, true);
+  event.sigev_value.sival_ptr = &last_words;
+  if (timer_create(CLOCK_MONOTONIC, &event, &last_words.timer) != 0) last_words.timer = nullptr;
 }
 
-void look(int) {
+void look(int, siginfo_t* info, void*) {
+  if (info->si_code == SI_TIMER && info->si_value.sival_ptr == &last_words) give_up();
   if (!now.inside || now.number != now.seen) {
     now.seen = now.number;
     now.looks = 0;
@@ -130,6 +159,7 @@ void look(int) {
 
 void crashed(int number) {
   leave_rtl(number);
+  if (*last_words.text) give_up();
   signal(number, SIG_DFL);
   raise(number);  // once this handler has returned
 }
@@ -148,14 +178,16 @@ void watch() {
   action.sa_flags = SA_ONSTACK;
   for (const int number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT})
     sigaction(number, &action, nullptr);
-  action.sa_handler = look;
-  action.sa_flags = SA_ONSTACK | SA_RESTART;
+  action.sa_sigaction = look;
+  action.sa_flags = SA_ONSTACK | SA_RESTART | SA_SIGINFO;
   sigaction(Stuck, &action, nullptr);
-  start_clock();
-  pthread_atfork(nullptr, nullptr, start_clock);
+  start_clocks();
+  pthread_atfork(nullptr, nullptr, start_clocks);
 }
 
 RtlFault left(int number) {
+  static void* volatile some;
+  std::free(some = std::malloc(100'000));  // more than a cache of the heap has without its lock
   const std::string begin = std::string("the RTL of ") + now.model->unit;
   const std::string clock = " in clock " + std::to_string(now.clock);
   if (number == SIGALRM) return RtlFault(begin + " did not return" + clock + "; interrupted");
@@ -190,6 +222,16 @@ void leave_rtl(int number) {
   sigaddset(&handled, number);
   sigprocmask(SIG_UNBLOCK, &handled, nullptr);
   now.left_by = number;
+  const auto clock = static_cast<unsigned long long>(now.clock);
+  if (number == Stuck || number == SIGALRM)
+    std::snprintf(last_words.text, sizeof last_words.text,
+                  "racebeam: the RTL of %s does not return from clock %llu\n", now.model->unit,
+                  clock);
+  else
+    std::snprintf(last_words.text, sizeof last_words.text,
+                  "racebeam: the RTL of %s crashed in clock %llu: %s\n", now.model->unit, clock,
+                  sigdescr_np(number));
+  set(last_words.timer, Patience, false);
   __builtin_longjmp(now.way_out, 1);
 }
 
@@ -216,7 +258,10 @@ void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
     now.inside = 0;
     throw RtlFault(in_clock() + "an exception of no known type");
   }
-  if (!whole) throw left(now.left_by);
+  if (whole) return;
+  const RtlFault fault = left(now.left_by);
+  set(last_words.timer, 0, false);
+  throw fault;
 }
 
 }  // namespace racebeam

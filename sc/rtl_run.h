@@ -16,7 +16,8 @@ namespace racebeam {
 /// Calls step(model.top), in clock `clock` of that instance; one at a time in a process. Throws
 /// RtlFault: the RTL ends the simulation, does not settle, has printed more than 10 MB in this
 /// process, crashes, does not return within RACEBEAM_RTL_SECONDS (10) seconds of processor time, or
-/// throws an exception.
+/// throws an exception. RTL that was left in the middle of the heap may have broken it: then
+/// the program says so much and ends with 2.
 void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*));
 
 /// What plug-ins are made with: what they print goes to stderr.

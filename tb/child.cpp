@@ -43,6 +43,8 @@ std::string death_of(const std::string& what, int status) {
 void throw_death(const std::string& what, int status) {
   const std::string text = death_of(what, status);
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) throw MissingTool(text);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == ExitUsage)
+    throw UsageError(text);  // it has said why
   throw std::runtime_error(text);
 }
 

@@ -21,7 +21,8 @@ int wait_for_child(pid_t child);
 /// Segmentation fault".
 std::string death_of(const std::string& what, int status);
 
-/// Throws that: MissingTool if it was killed from outside, std::runtime_error otherwise.
+/// Throws that: MissingTool if it was killed from outside, UsageError if it has ended with 2,
+/// std::runtime_error otherwise.
 [[noreturn]] void throw_death(const std::string& what, int status);
 
 }  // namespace racebeam

@@ -108,25 +108,17 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
 /// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
 UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
                          std::uint64_t clocks, const std::function<void(std::uint64_t)>& compared) {
-  std::string text;
   try {
-    text = forked([&] {
-      try {
-        return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
-                                   options.folder,
-                                   repeat_text(options, dut.unit, 0, options.random), compared))
-            .dump();
-      } catch (const RtlError& error) {
-        return Json{{"refused", error.what()}}.dump();
-      }
-    });
+    return verdict_of(Json::parse(forked([&] {
+      return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
+                                 options.folder, repeat_text(options, dut.unit, 0, options.random),
+                                 compared))
+          .dump();
+    })));
   } catch (const ChildDied& death) {
     return {dut.unit,    stimulus == Stimulus::Random ? "random" : "walk", 0, 0, 0, 0, {},
             death.what()};
   }
-  const Json answer = Json::parse(text);
-  if (answer.contains("refused")) throw RtlError(answer["refused"]);
-  return verdict_of(answer);
 }
 
 /// Each unit by itself: the walk of one that has a walk, and random traffic.
@@ -163,14 +155,22 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
 
 }  // namespace
 
-int command_verify(const VerifyOptions& options) {
-  const Show show = open_show(options.scene);
+VerifyPlan plan_verify(const VerifyOptions& options) {
+  VerifyPlan plan{open_show(options.scene), {}};
+  const Show& show = plan.show;
+  if (options.frames == 0 && options.random == 0)
+    throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
   if (options.frames < 0 || options.frames > show.frames())
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  show.frames()));
-  knobs k = show.standard_knobs();
-  set_knobs(k, options.assignments);
-  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
+  plan.k = show.standard_knobs();
+  set_knobs(plan.k, options.assignments);
+  if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
+  return plan;
+}
+
+int command_verify(const VerifyOptions& options) {
+  const auto [show, k] = plan_verify(options);
   const UseOption use(k, show.program());
   unit_choices choices;
   if (options.units.empty()) use.lockstep(choices, "all");

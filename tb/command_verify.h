@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "sc/knobs.h"
+#include "tb/show.h"
+
 namespace racebeam {
 
 struct VerifyOptions {
@@ -20,6 +23,14 @@ struct VerifyOptions {
   bool watch = false;                      ///< for verify_watch()
   bool json = false;
 };
+
+struct VerifyPlan {
+  Show show;
+  knobs k;
+};
+
+/// What is to be compared, but for the RTL. Throws UsageError.
+VerifyPlan plan_verify(const VerifyOptions& options);
 
 /// Prints a table of units. Returns ExitUsage if RTL has ended before its
 /// comparison, otherwise ExitDifference if one differs. Throws UsageError, RtlError,

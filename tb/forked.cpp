@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/forked.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -9,16 +10,20 @@
 
 #include <cerrno>
 
+#include "sc/rtl_library.h"
 #include "tb/child.h"
 #include "tb/errors.h"
 #include "tb/interrupt.h"
+#include "tb/output_file.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int Pause = 100;  // milliseconds
-constexpr int Failed = 1;   // exit code: the answer is an error
+
+/// Exit codes of a child whose answer is an error, unlike those of a program that ends by itself.
+enum Thrown { Other = 64, Usage, Missing, Rtl };
 
 /// What a child writes until it closes its end. An interrupt is passed on to it, which may have
 /// come to us alone.
@@ -53,7 +58,7 @@ bool write_all(int file, const std::string& bytes) {
 
 std::string forked(const std::function<std::string()>& work) {
   int pipe_ends[2];
-  if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe to a child process");
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a child process");
   const pid_t child = fork_child();
   if (child < 0) throw std::runtime_error("no child process");
   if (child == 0) {
@@ -62,9 +67,21 @@ std::string forked(const std::function<std::string()>& work) {
     std::string answer;
     try {
       answer = work();
+    } catch (const RtlError& error) {
+      answer = error.what();
+      status = Rtl;
+    } catch (const UsageError& error) {
+      answer = error.what();
+      status = Usage;
+    } catch (const OutputError& error) {
+      answer = error.what() + std::string("; choose another place, or free some space");
+      status = Usage;
+    } catch (const MissingTool& error) {
+      answer = error.what();
+      status = Missing;
     } catch (const std::exception& error) {
       answer = error.what();
-      status = Failed;
+      status = Other;
     }
     write_all(pipe_ends[1], answer);
     _exit(status);
@@ -74,7 +91,12 @@ std::string forked(const std::function<std::string()>& work) {
   close(pipe_ends[0]);
   const int status = wait_for_child(child);
   if (status == 0) return answer;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == Failed) throw std::runtime_error(answer);
+  switch (WIFEXITED(status) ? WEXITSTATUS(status) : 0) {
+    case Rtl: throw RtlError(answer);
+    case Usage: throw UsageError(answer);
+    case Missing: throw MissingTool(answer);
+    case Other: throw std::runtime_error(answer);
+  }
   if (interrupted()) throw Interrupted();
   throw ChildDied(death_of("a child process", status));
 }

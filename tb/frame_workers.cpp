@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/frame_workers.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <unistd.h>
@@ -53,7 +54,7 @@ FrameWorkers::FrameWorkers(int jobs, int frames, const std::function<Render()>& 
   workers_.resize(static_cast<std::size_t>(jobs));
   for (std::size_t number = 0; number < workers_.size(); ++number) {
     int ends[2];
-    if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process");
+    if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a child process");
     const pid_t child = fork_child();
     if (child < 0) throw std::runtime_error("no child process");
     if (child == 0) {

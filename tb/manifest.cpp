@@ -37,6 +37,9 @@ std::map<std::string, std::string> by_path(const Json& json) {
     if (value.is_null()) continue;  // nothing, or no entries
     std::string name = path.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
+    for (const auto& [code, is] : {std::pair{"~1", "/"}, {"~0", "~"}})  // of JSON pointers
+      for (std::size_t at = 0; (at = name.find(code, at)) != std::string::npos; ++at)
+        name.replace(at, 2, is);
     values[name] = value.is_string() ? value.get<std::string>() : value.dump();
   }
   return values;

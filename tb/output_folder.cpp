@@ -46,7 +46,14 @@ OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool o
     : path_(path), what_(what), overwrite_(overwrite), made_(make_folder(path)) {
   take();
   std::error_code ignored;
-  if (overwrite || !fs::exists(path_ / ManifestName, ignored)) return;
+  if (overwrite) return;
+  if (!fs::exists(path_ / ManifestName, ignored)) {
+    for (const auto& entry : fs::directory_iterator(path_, ignored))
+      if (const std::string name = entry.path().filename(); owns(name))
+        throw UsageError(path_.string() + " has " + name + ", but no " + ManifestName +
+                         " that says how it was made" + Otherwise);
+    return;
+  }
   before_ = whole_file(path_ / ManifestName);
   check(what);
 }

@@ -99,6 +99,7 @@ int run(const VerifyOptions& options) {
 }  // namespace
 
 int verify_watch(const VerifyOptions& options) {
+  plan_verify(options);  // what is wrong now cannot be mended by saving RTL
   catch_interrupts();
   std::vector<std::string> words = options.units;
   if (words.empty()) words = {"all"};

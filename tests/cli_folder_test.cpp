@@ -109,6 +109,15 @@ TEST_F(CliFolderTest, AStrangersManifestIsNotReplaced) {
   EXPECT_EQ(manifest()["frames"], json{0});
 }
 
+TEST_F(CliFolderTest, PicturesWithoutAManifestAreNotReplaced) {
+  fs::create_directory(folder / "o");
+  std::ofstream(folder / "o/frame_0000.png") << "a photograph";
+  EXPECT_THAT(render({}, 2), HasSubstr("o has frame_0000.png, but no manifest.json"));
+  EXPECT_EQ(read_file(folder / "o/frame_0000.png"), "a photograph");
+  render({"--overwrite"});
+  EXPECT_EQ(manifest()["frames"], json{0});
+}
+
 // The lock is the one of any process that has the folder open and locked.
 TEST_F(CliFolderTest, OneRunAtATimeWritesToAFolder) {
   fs::create_directory(folder / "o");

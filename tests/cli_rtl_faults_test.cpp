@@ -122,6 +122,10 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"Hang",
               "while (clocks_q == 500) $c(\"\");",
               {"the RTL of stacks does not return from clock 500", "RACEBEAM_RTL_SECONDS"}},
+        Fault{
+            "HangInTheHeap",
+            "while (clocks_q == 500) $c(\"static void* volatile p; p = malloc(5000); free(p);\");",
+            {"the RTL of stacks", "does not return from clock 500"}},
         Fault{"Crash",
               "$c(\"*(volatile int*)8 = 1;\");",
               {"the RTL of stacks", "crashed in clock 500: Segmentation fault"}}),
@@ -136,6 +140,10 @@ TEST_F(CliRtlEndsTest, StopErrorAndExceptionsAreToldApart) {
       {"", "$c(\"throw std::runtime_error(\\\"no more\\\");\");", {"in clock 500: no more"}},
       {"", "$c(\"throw 7;\");", {"in clock 500: an exception of no known type"}},
       {"", "$c(\"abort();\");", {"crashed in clock 500: Aborted"}},
+      {"",
+       "$c(\"volatile char* p = (char*)malloc(64); for (int i = -64; i < 9999; ++i) p[i] = 7; "
+       "free((void*)p);\");",
+       {"the RTL of stacks", "crashed in clock 500"}},
       {"", "$c(\"volatile int z = 0; z = 7 / z;\");", {"in clock 500: Floating point exception"}}};
   for (const Fault& fault : faults) {
     write(faulty_stacks(fault.statement));

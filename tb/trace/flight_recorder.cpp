@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/flight_recorder.h"
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,7 +64,7 @@ void FlightRecorder::pass(std::int64_t clock) {
 
 bool FlightRecorder::copy(std::int64_t clock) {
   int ends[2];
-  if (pipe(ends) != 0) return false;
+  if (pipe2(ends, O_CLOEXEC) != 0) return false;
   const pid_t process = fork_child();
   if (process == 0) {
     close(ends[1]);
