@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tb/explain/step_text.h"
-#include "tb/knobs_json.h"
+#include "tb/show/knobs_json.h"
 
 namespace racebeam {
 

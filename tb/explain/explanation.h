@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tb/explain/line_story.h"
-#include "tb/show.h"
+#include "tb/show/show.h"
 
 namespace racebeam {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/explain/line_story.h"
 
-#include "sc/subdivider_core.h"
+#include "sc/beam/subdivider_core.h"
 
 namespace racebeam {
 

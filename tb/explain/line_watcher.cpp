@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "sc/chip_lines.h"
-#include "sc/stats_collector.h"
+#include "sc/beam/stats_collector.h"
+#include "sc/beam/tlm/chip_lines.h"
 
 namespace racebeam {
 

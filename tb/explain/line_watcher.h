@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "sc/chip_core.h"
+#include "sc/beam/chip_core.h"
 #include "tb/explain/line_story.h"
 
 namespace racebeam {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sc/subdivider_core.h"
+#include "sc/beam/subdivider_core.h"
 
 namespace racebeam {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/golden/golden_camera.h"
 
-#include "sc/sequencer.h"
+#include "sc/beam/sequencer.h"
 
 namespace racebeam {
 

@@ -9,8 +9,8 @@
 
 #include <array>
 
-#include "sc/constants.h"
-#include "sc/fixed_point.h"
+#include "sc/base/constants.h"
+#include "sc/base/fixed_point.h"
 #include "tb/scene/scene_file.h"
 
 namespace racebeam {

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/constants.h"
+#include "sc/base/constants.h"
 #include "tb/golden/golden_camera.h"
 #include "tb/golden/golden_world.h"
 

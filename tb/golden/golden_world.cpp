@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "sc/chip_core.h"
-#include "sc/scene.h"
-#include "sc/sequencer.h"
+#include "sc/beam/chip_core.h"
+#include "sc/beam/scene.h"
+#include "sc/beam/sequencer.h"
 
 namespace racebeam {
 

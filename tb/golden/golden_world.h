@@ -14,8 +14,8 @@
 #include <array>
 #include <vector>
 
-#include "sc/fixed_point.h"
-#include "sc/knobs.h"
+#include "sc/base/fixed_point.h"
+#include "sc/base/knobs.h"
 #include "tb/scene/camera_path.h"
 #include "tb/scene/scene_file.h"
 

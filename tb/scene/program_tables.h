@@ -1,5 +1,5 @@
-// A scene as the tables that rtl/timeline.sv and rtl/scene_rom.sv read; their heads have the
-// layout.
+// A scene as the tables that rtl/beam/timeline.sv and rtl/beam/scene_rom.sv read; their heads have
+// the layout.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "sc/scene_program.h"
+#include "sc/beam/scene_program.h"
 
 namespace racebeam {
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sc/scene_program.h"
+#include "sc/beam/scene_program.h"
 #include "tb/scene/scene_file.h"
 
 namespace racebeam {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "tb/nearest.h"
+#include "tb/base/nearest.h"
 #include "tb/scene/scene_keys.h"
 
 namespace racebeam {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/signal_bench.h"
+#include "tb/bench/signal_bench.h"
 
 namespace racebeam {
 

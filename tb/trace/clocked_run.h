@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tb/raster.h"
+#include "tb/monitor/raster.h"
 #include "tb/trace/chip_signals.h"
 
 namespace racebeam {

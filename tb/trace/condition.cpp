@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "tb/console.h"
-#include "tb/errors.h"
-#include "tb/nearest.h"
-#include "tb/trace/signal_look.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/nearest.h"
 #include "tb/trace/trace_window.h"
+#include "tb/wave/signal_look.h"
 
 namespace racebeam {
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/raster.h"
+#include "tb/monitor/raster.h"
 #include "tb/trace/chip_signals.h"
 
 namespace racebeam {

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-#include "sc/constants.h"
-#include "tb/lockstep_report.h"
+#include "sc/base/constants.h"
 #include "tb/trace/chip_signals.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
+#include "tb/twin/lockstep_report.h"
 
 namespace racebeam {
 

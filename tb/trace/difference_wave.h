@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "tb/lockstep.h"
-#include "tb/raster.h"
-#include "tb/show.h"
+#include "tb/monitor/raster.h"
+#include "tb/show/show.h"
+#include "tb/twin/lockstep.h"
 
 namespace racebeam {
 

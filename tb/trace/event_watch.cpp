@@ -9,8 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "tb/console.h"
-#include "tb/errors.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
 #include "tb/trace/chip_signals.h"
 #include "tb/trace/line_progress.h"
 

@@ -12,11 +12,11 @@
 #include <initializer_list>
 #include <utility>
 
-#include "sc/rtl_run.h"
-#include "tb/child.h"
-#include "tb/errors.h"
-#include "tb/guarded.h"
-#include "tb/interrupt.h"
+#include "sc/swap/rtl_run.h"
+#include "tb/base/child.h"
+#include "tb/base/errors.h"
+#include "tb/base/guarded.h"
+#include "tb/base/interrupt.h"
 
 namespace racebeam {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tb/show.h"
+#include "tb/show/show.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "tb/progress.h"
+#include "tb/base/progress.h"
 #include "tb/trace/clocked_run.h"
 
 namespace racebeam {

@@ -2,26 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/signal_trace.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "tb/errors.h"
+#include "tb/base/errors.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int ForeignFrameBits = 20;  // of other chips: up to a million
-
-bool any_matches(const std::vector<std::string>& patterns, const std::string& path) {
-  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-    return fnmatch(pattern.c_str(), path.c_str(), 0) == 0 ||
-           fnmatch((pattern + ".*").c_str(), path.c_str(), 0) == 0;
-  });
-}
 
 /// Whether an overview has it: no register, no clock, nothing of the beam that is as regular, and
 /// not the numbers that every question takes: corner, ray, and what the scene says of the room.
@@ -33,11 +24,6 @@ bool is_calm(const ChipSignal& signal) {
 }
 
 }  // namespace
-
-bool TraceSelection::takes(const std::string& path) const {
-  if (depth > 0 && std::count(path.begin(), path.end(), '.') > depth) return false;
-  return scopes.empty() || any_matches(scopes, path);
-}
 
 SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster,
                          int period_ps, const TraceSelection& selection, bool overview,

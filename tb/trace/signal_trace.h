@@ -14,17 +14,10 @@
 
 #include "tb/trace/chip_signals.h"
 #include "tb/trace/trace_window.h"
-#include "tb/trace/vcd_writer.h"
+#include "tb/wave/selection.h"
+#include "tb/wave/vcd_writer.h"
 
 namespace racebeam {
-
-/// Which signals are wanted. Those of `beam` always are.
-struct TraceSelection {
-  std::vector<std::string> scopes;  ///< shell patterns of paths or of what holds them; none: all
-  int depth = 0;                    ///< levels of the hierarchy, 1: the chip's own; 0: all
-
-  bool takes(const std::string& path) const;
-};
 
 class SignalTrace {
  public:

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "tb/interrupt.h"
+#include "tb/base/interrupt.h"
 
 namespace racebeam {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "tb/trace/clocked_run.h"
-#include "tb/tt_run.h"
+#include "tb/tt/tt_run.h"
 
 namespace racebeam {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <vector>
 
-#include "tb/console.h"
-#include "tb/trace/wave_picture.h"
+#include "tb/base/console.h"
+#include "tb/wave/wave_picture.h"
 
 namespace racebeam {
 

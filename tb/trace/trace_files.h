@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-#include "tb/output_file.h"
-#include "tb/trace/gtkw_file.h"
-#include "tb/trace/vcd_writer.h"
-#include "tb/trace/wave_file.h"
+#include "tb/base/output_file.h"
+#include "tb/wave/gtkw_file.h"
+#include "tb/wave/vcd_writer.h"
+#include "tb/wave/wave_file.h"
 
 namespace racebeam {
 

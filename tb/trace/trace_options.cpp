@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/nearest.h"
-#include "tb/render_options.h"
-#include "tb/trace/draw_waveform.h"
+#include "tb/base/nearest.h"
+#include "tb/show/level.h"
 #include "tb/trace/trigger.h"
-#include "tb/trace/wave_file.h"
+#include "tb/wave/draw_waveform.h"
+#include "tb/wave/wave_file.h"
 
 namespace racebeam {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "tb/errors.h"
+#include "tb/base/errors.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
-#include "tb/tt_options.h"
+#include "tb/tt/tt_options.h"
 
 namespace racebeam {
 

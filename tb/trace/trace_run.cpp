@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/interrupt.h"
+#include "tb/base/interrupt.h"
 
 namespace racebeam {
 

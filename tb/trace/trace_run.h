@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "tb/signal_bench.h"
+#include "tb/bench/signal_bench.h"
 #include "tb/trace/clocked_run.h"
 #include "tb/trace/trace_window.h"
 

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <vector>
 
-#include "tb/errors.h"
+#include "tb/base/errors.h"
 
 namespace racebeam {
 

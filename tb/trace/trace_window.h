@@ -8,7 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "tb/raster.h"
+#include "tb/monitor/raster.h"
+#include "tb/wave/selection.h"
 
 namespace racebeam {
 
@@ -29,12 +30,6 @@ struct TracePoint {
 
 /// The clock with this ordinal.
 TracePoint point_at(std::int64_t ordinal, const Raster& raster);
-
-/// A port of a unit in lockstep whose sides differ: the model has it as SCOPE.NAME, the RTL as
-/// SCOPE.rtl.NAME.
-struct DifferingPort {
-  std::string scope, name;
-};
 
 /// Both ends are in it.
 struct TraceWindow {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sc/tlm_chip.h"
+#include "sc/beam/tlm/tlm_chip.h"
 
 namespace racebeam {
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <memory>
 
-#include "sc/knobs.h"
-#include "sc/scene_program.h"
+#include "sc/base/knobs.h"
+#include "sc/beam/scene_program.h"
 #include "tb/trace/transaction_trace.h"
 
 namespace racebeam {

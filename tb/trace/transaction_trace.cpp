@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "sc/tlm_map.h"
-#include "tb/errors.h"
+#include "sc/beam/tlm/tlm_map.h"
+#include "tb/base/errors.h"
 
 namespace racebeam {
 

@@ -29,10 +29,10 @@
 #include <string>
 #include <vector>
 
-#include "sc/chip_observer.h"
+#include "sc/beam/tlm/chip_observer.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
-#include "tb/trace/vcd_writer.h"
+#include "tb/wave/vcd_writer.h"
 
 namespace racebeam {
 

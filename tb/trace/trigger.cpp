@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "sc/chip_core.h"
-#include "tb/nearest.h"
+#include "sc/beam/chip_core.h"
+#include "tb/base/nearest.h"
 
 namespace racebeam {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "sc/knobs.h"
-#include "sc/scene_program.h"
+#include "sc/base/knobs.h"
+#include "sc/beam/scene_program.h"
 #include "tb/trace/trace_window.h"
 
 namespace racebeam {

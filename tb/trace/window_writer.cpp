@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-#include "tb/console.h"
-#include "tb/counted.h"
-#include "tb/errors.h"
-#include "tb/interrupt.h"
-#include "tb/progress.h"
+#include "tb/base/console.h"
+#include "tb/base/counted.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/progress.h"
 #include "tb/trace/line_progress.h"
 #include "tb/trace/transaction_bench.h"
 

@@ -7,12 +7,12 @@
 #include <functional>
 #include <string>
 
-#include "sc/scene_program.h"
+#include "sc/beam/scene_program.h"
 #include "tb/trace/clocked_run.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
-#include "tb/trace/trace_size.h"
 #include "tb/trace/trace_window.h"
+#include "tb/wave/trace_size.h"
 
 namespace racebeam {
 

@@ -18,10 +18,10 @@
 #include <fstream>
 #include <thread>
 
-#include "sc/rtl_library.h"
-#include "tb/errors.h"
-#include "tb/interrupt.h"
-#include "tb/whole_file.h"
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/whole_file.h"
 
 namespace racebeam {
 

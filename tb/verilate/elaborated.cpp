@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "tb/errors.h"
+#include "tb/base/errors.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/verilator.h"
 

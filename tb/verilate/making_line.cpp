@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tb/console.h"
+#include "tb/base/console.h"
 
 namespace racebeam {
 

@@ -5,13 +5,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace racebeam {
 
 /// The folder with rtl/ and sc/: of the sources, or where they are installed.
 std::string project_folder();
 
-/// The folder of this project's RTL.
+/// The folder of this project's RTL, with its info.yaml.
 std::string rtl_folder();
+/// The folders in it: of each engine, and of what they share.
+std::vector<std::string> rtl_folders();
+/// Where one of them has this module; else a path where there is no file.
+std::string rtl_file(const std::string& module);
 
 }  // namespace racebeam

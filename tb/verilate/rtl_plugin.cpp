@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "sc/rtl_library.h"
-#include "tb/errors.h"
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/clock_wrapper.h"
 #include "tb/verilate/elaborated.h"
@@ -35,8 +35,8 @@ void write(const std::string& path, const std::string& text) {
   if (!out) throw RtlError("cannot write " + path + "; is the disk full?");
 }
 
-std::string glue_file() { return project_folder() + "/sc/rtl_glue.cc.in"; }
-std::string runtime_header() { return project_folder() + "/sc/rtl_runtime.h"; }
+std::string glue_file() { return project_folder() + "/sc/swap/rtl_glue.cc.in"; }
+std::string runtime_header() { return project_folder() + "/sc/swap/rtl_runtime.h"; }
 
 std::string compiler() {
   const char* named = std::getenv("CXX");
@@ -181,7 +181,7 @@ void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
   std::sort(classes.begin(), classes.end());
   std::string all = known;
   for (const std::string& file : classes) all += "#include " + c_string(file) + "\n";
-  all += "#include \"sc/rtl_glue.cc.in\"\n";
+  all += "#include \"sc/swap/rtl_glue.cc.in\"\n";
   write(work.file("all.cc"), all);
   write(work.file("texts.cc"), texts(syntax, circular));
   const Compiler cxx(work.path(), line.tick());
@@ -196,10 +196,10 @@ void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
 
 std::string rtl_plugin(const RtlSources& sources) {
   const std::string content = elaborated(sources).content;
-  const std::string key =
-      content_key({Recipe, content, sources.kind == RtlSources::Chip ? "chip" : "unit",
-                   sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
-                   file_key(project_folder() + "/sc/rtl_model.h"), file_key(runtime_header())});
+  const std::string key = content_key(
+      {Recipe, content, sources.kind == RtlSources::Chip ? "chip" : "unit",
+       sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
+       file_key(project_folder() + "/sc/swap/rtl_model.h"), file_key(runtime_header())});
   return cached(key + ".so",
                 [&](const std::string& out) { make(sources, read_rtl_syntax(sources), out); });
 }

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-#include "sc/rtl_library.h"
+#include "sc/swap/rtl_library.h"
 #include "tb/verilate/elaborated.h"
 
 namespace racebeam {

@@ -18,9 +18,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tb/child.h"
-#include "tb/errors.h"
-#include "tb/interrupt.h"
+#include "tb/base/child.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
 
 namespace racebeam {
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "sc/rtl_library.h"
-#include "tb/errors.h"
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
 #include "tb/verilate/rtl_syntax.h"
 
 namespace racebeam {

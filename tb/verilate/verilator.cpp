@@ -7,8 +7,8 @@
 #include <regex>
 #include <sstream>
 
-#include "sc/rtl_library.h"
-#include "tb/errors.h"
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
 #include "tb/verilate/project_folder.h"
 #include "tb/verilate/run_tool.h"
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* Package = "racebeam_pkg.sv";
+constexpr const char* Package = "racebeam_pkg";
 
 std::string absolute(const std::string& path) {
   return fs::absolute(path).lexically_normal().string();
@@ -31,7 +31,7 @@ std::string trimmed(std::string text) {
 
 bool brings_package(const RtlSources& sources) {
   return std::any_of(sources.files.begin(), sources.files.end(),
-                     [](const std::string& file) { return fs::path(file).filename() == Package; });
+                     [](const std::string& file) { return fs::path(file).stem() == Package; });
 }
 
 /// Adds the names of warnings that later versions know to Verilator's options, if it complained of
@@ -93,7 +93,8 @@ std::vector<std::string> searched_folders(const RtlSources& sources) {
   for (const std::string& file : sources.files) add(fs::path(absolute(file)).parent_path());
   for (const std::string& library : sources.libraries)
     if (fs::is_directory(library)) add(absolute(library));
-  if (sources.kind == RtlSources::Unit) add(absolute(rtl_folder()));
+  if (sources.kind == RtlSources::Unit)
+    for (const std::string& folder : rtl_folders()) add(absolute(folder));
   return folders;
 }
 
@@ -105,7 +106,7 @@ std::vector<std::string> source_words(const RtlSources& sources) {
   for (const std::string& define : sources.defines) words.push_back("-D" + define);
   for (const std::string& parameter : sources.parameters) words.push_back("-G" + parameter);
   if (sources.kind == RtlSources::Unit && !brings_package(sources))
-    words.push_back(absolute(rtl_folder() + "/" + Package));
+    words.push_back(absolute(rtl_file(Package)));
   for (const std::string& file : sources.files) words.push_back(absolute(file));
   return words;
 }

@@ -1,5 +1,5 @@
 // Verilator: all that the program relies on of it, but its XML (rtl_syntax.cpp) and the classes
-// that sc/rtl_glue.cc.in includes. Tried with the version TriedVerilator.
+// that sc/swap/rtl_glue.cc.in includes. Tried with the version TriedVerilator.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/raster.h"
-#include "tb/view/interval_event.h"
+#include "tb/bench/interval_event.h"
+#include "tb/monitor/raster.h"
 
 namespace racebeam {
 

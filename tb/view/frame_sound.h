@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "sc/sound_line.h"
+#include "sc/beam/tlm/sound_line.h"
 
 namespace racebeam {
 

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "sc/fixed_point.h"
-#include "tb/tt_inputs.h"
-#include "tb/view/frame_watch.h"
+#include "sc/base/fixed_point.h"
+#include "tb/bench/frame_watch.h"
+#include "tb/tt/tt_inputs.h"
 
 namespace racebeam {
 

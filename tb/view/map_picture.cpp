@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tb/view/pixel_font.h"
+#include "tb/picture/pixel_font.h"
 
 namespace racebeam {
 

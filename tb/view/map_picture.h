@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "tb/picture/rgb_image.h"
 #include "tb/view/frame_maps.h"
-#include "tb/view/rgb_image.h"
 
 namespace racebeam {
 

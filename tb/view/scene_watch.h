@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "tb/show.h"
+#include "tb/show/show.h"
 
 namespace racebeam {
 

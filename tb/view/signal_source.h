@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tb/signal_bench.h"
+#include "tb/bench/signal_bench.h"
 #include "tb/view/frame_source.h"
 
 namespace racebeam {

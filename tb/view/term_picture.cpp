@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sc/constants.h"
+#include "sc/base/constants.h"
 
 namespace racebeam {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/view/rgb_image.h"
+#include "tb/picture/rgb_image.h"
 
 namespace racebeam {
 

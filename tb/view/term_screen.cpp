@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "tb/console.h"
-#include "tb/errors.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
 #include "tb/view/term_keys.h"
 #include "tb/view/term_picture.h"
 

@@ -7,9 +7,9 @@
 
 #include <optional>
 
-#include "sc/chip_lines.h"
+#include "sc/beam/tlm/chip_lines.h"
+#include "tb/bench/interval_log.h"
 #include "tb/view/frame_source.h"
-#include "tb/view/interval_log.h"
 
 namespace racebeam {
 

@@ -9,9 +9,9 @@
 
 #include <vector>
 
-#include "tb/tt_run.h"
+#include "tb/monitor/pin_sound.h"
+#include "tb/tt/tt_run.h"
 #include "tb/view/frame_source.h"
-#include "tb/view/pin_sound.h"
 
 namespace racebeam {
 

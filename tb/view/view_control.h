@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/tt_inputs.h"
+#include "tb/tt/tt_inputs.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {

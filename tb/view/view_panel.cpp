@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tb/view/pixel_font.h"
+#include "tb/picture/pixel_font.h"
 #include "tb/view/view_picture.h"
 
 namespace racebeam {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <vector>
 
+#include "tb/picture/pixel_font.h"
 #include "tb/view/map_picture.h"
-#include "tb/view/pixel_font.h"
 #include "tb/view/view_panel.h"
 
 namespace racebeam {

@@ -10,9 +10,9 @@
 
 #include <string>
 
-#include "sc/knobs.h"
-#include "tb/view/frame_watch.h"
-#include "tb/view/rgb_image.h"
+#include "sc/base/knobs.h"
+#include "tb/bench/frame_watch.h"
+#include "tb/picture/rgb_image.h"
 #include "tb/view/view_control.h"
 
 namespace racebeam {

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "tb/counted.h"
-#include "tb/image_files.h"
-#include "tb/output_file.h"
+#include "tb/base/counted.h"
+#include "tb/base/output_file.h"
+#include "tb/picture/image_files.h"
 
 namespace racebeam {
 

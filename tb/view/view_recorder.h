@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/gif_writer.h"
-#include "tb/view/rgb_image.h"
+#include "tb/picture/gif_writer.h"
+#include "tb/picture/rgb_image.h"
 
 namespace racebeam {
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <thread>
 
-#include "tb/errors.h"
-#include "tb/interrupt.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
 
 namespace racebeam {
 

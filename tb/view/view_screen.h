@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/console.h"
+#include "tb/base/console.h"
 #include "tb/view/view_control.h"
 #include "tb/view/viewer.h"
 

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <set>
 
-#include "sc/constants.h"
-#include "tb/console.h"
-#include "tb/errors.h"
+#include "sc/base/constants.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
 #include "tb/view/frame_sound.h"
 #include "tb/view/view_layout.h"
 

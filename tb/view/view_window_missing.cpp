@@ -2,7 +2,7 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/errors.h"
+#include "tb/base/errors.h"
 #include "tb/view/view_window.h"
 
 namespace racebeam {

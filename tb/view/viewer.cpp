@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tb/errors.h"
+#include "tb/base/errors.h"
 
 namespace racebeam {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "tb/show.h"
+#include "tb/show/show.h"
 #include "tb/view/frame_sound.h"
 #include "tb/view/frame_source.h"
 #include "tb/view/free_flight.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "tb/counted.h"
+#include "tb/base/counted.h"
 #include "tb/view/viewer.h"
 
 namespace racebeam {

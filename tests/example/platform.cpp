@@ -3,7 +3,7 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <sc/tlm_chip.h>
+#include <sc/beam/tlm/tlm_chip.h>
 
 #include <algorithm>
 #include <array>

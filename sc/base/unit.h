@@ -1,0 +1,165 @@
+// Ports and wires of racebeam units: exact widths on top of SystemC's ports.
+//
+// A 1-bit port is `bool`, a wider one `sc_uint<Bits>`; signed values cross a port as raw two's
+// complement. An input reads the channel's value through a reference taken once, at the end of
+// elaboration; an output writes only what changed. Both keep the kernel out of the hot path.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <systemc>
+#include <type_traits>
+#include <vector>
+
+#include "sc/base/fixed_point.h"
+
+namespace racebeam {
+
+/// The SystemC type that carries `Bits` bits.
+template <int Bits>
+using wire_type = std::conditional_t<Bits == 1, bool, sc_dt::sc_uint<Bits>>;
+
+/// A wire with one driver; `Bits` wide.
+template <int Bits>
+using wire = sc_core::sc_signal<wire_type<Bits>, sc_core::SC_UNCHECKED_WRITERS>;
+
+/// What a wire carries, read without a virtual call; one of the pointers is nullptr.
+struct wire_contents {
+  const bool* bit = nullptr;
+  const sc_dt::sc_uint_base* word = nullptr;
+
+  /// The raw bits.
+  int value() const { return bit ? *bit : static_cast<int>(word->value()); }
+};
+
+/// A port whose width is not in the type: for what treats all ports alike.
+class any_port {
+ public:
+  virtual ~any_port() = default;
+  virtual const char* port_name() const = 0;
+  virtual int bits() const = 0;
+  virtual bool is_input() const = 0;
+  /// Its wire; from the end of elaboration on.
+  virtual wire_contents contents() const = 0;
+  /// Drives an output.
+  virtual void drive_wire(int value) = 0;
+  /// Makes a process sensitive to an input.
+  virtual void sense(sc_core::sc_sensitive& process) = 0;
+};
+
+template <int Bits>
+wire_contents contents_of(const wire_type<Bits>& value) {
+  if constexpr (Bits == 1) return {&value, nullptr};
+  else return {nullptr, &value};
+}
+
+/// All ports of a module, in the order of declaration.
+inline std::vector<any_port*> ports_of(const sc_core::sc_module& module) {
+  std::vector<any_port*> ports;
+  for (auto* child : module.get_child_objects())
+    if (auto* port = dynamic_cast<any_port*>(child)) ports.push_back(port);
+  return ports;
+}
+
+/// Input port of `Bits` bits.
+template <int Bits>
+class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
+ public:
+  using sc_core::sc_in<wire_type<Bits>>::sc_in;
+
+  const char* port_name() const override { return this->basename(); }
+  int bits() const override { return Bits; }
+  bool is_input() const override { return true; }
+  wire_contents contents() const override { return contents_of<Bits>(*channel_value_); }
+  void drive_wire(int) override {}
+  void sense(sc_core::sc_sensitive& process) override { process << *this; }
+
+  /// The raw bits.
+  int value() const {
+    if constexpr (Bits == 1) {
+      return *channel_value_;
+    } else {
+      return static_cast<int>(channel_value_->value());
+    }
+  }
+  /// The bits as a signed number.
+  int signed_value() const { return wrap_signed(value(), Bits); }
+
+ protected:
+  void end_of_elaboration() override {
+    sc_core::sc_in<wire_type<Bits>>::end_of_elaboration();
+    channel_value_ = &(*this)->read();
+  }
+
+ private:
+  const wire_type<Bits>* channel_value_ = nullptr;
+};
+
+/// Output port of `Bits` bits.
+template <int Bits>
+class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port {
+ public:
+  using sc_core::sc_out<wire_type<Bits>>::sc_out;
+
+  const char* port_name() const override { return this->basename(); }
+  int bits() const override { return Bits; }
+  bool is_input() const override { return false; }
+  wire_contents contents() const override { return contents_of<Bits>((*this)->read()); }
+  void drive_wire(int value) override { drive(value); }
+  void sense(sc_core::sc_sensitive&) override {}
+
+  /// Drives the low `Bits` bits of `value`.
+  void drive(int value) {
+    const int raw = value & low_bits(Bits);
+    if (raw == driven_) return;
+    driven_ = raw;
+    (*this)->write(static_cast<wire_type<Bits>>(raw));
+  }
+
+ private:
+  int driven_ = 0;
+};
+
+/// One object per axis, named `<stem>_x<suffix>`, `_y`, `_z`.
+template <class Object>
+struct axes {
+  Object x, y, z;
+
+  explicit axes(const std::string& stem, const std::string& suffix = "")
+      : x((stem + "_x" + suffix).c_str()),
+        y((stem + "_y" + suffix).c_str()),
+        z((stem + "_z" + suffix).c_str()) {}
+
+  /// Binds the ports of three axes to three wires.
+  template <class Channels>
+  void bind(Channels& to) {
+    x.bind(to.x);
+    y.bind(to.y);
+    z.bind(to.z);
+  }
+};
+
+template <int Bits>
+struct axes_in : axes<in_port<Bits>> {
+  using axes<in_port<Bits>>::axes;
+  vec3 signed_value() const {
+    return {this->x.signed_value(), this->y.signed_value(), this->z.signed_value()};
+  }
+};
+
+template <int Bits>
+struct axes_out : axes<out_port<Bits>> {
+  using axes<out_port<Bits>>::axes;
+  void drive(const vec3& v) {
+    this->x.drive(v[0]);
+    this->y.drive(v[1]);
+    this->z.drive(v[2]);
+  }
+};
+
+template <int Bits>
+using axes_wire = axes<wire<Bits>>;
+
+}  // namespace racebeam

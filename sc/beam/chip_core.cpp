@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/beam/chip_core.h"
+
+namespace racebeam {
+
+namespace {
+
+/// The room and the room looked for, from the chip's scene or a program's table.
+void look_up(const scene_program* program, int flags, int id,
+             const decision_datapath_core::lookup& look, decision_datapath_core::inputs& to) {
+  const bool negative = bit_of(look.signs, look.axis);
+  const auto room =
+      program ? scene_rom_core::geometry(*program, id) : scene_core::geometry(flags, id);
+  to.half_size = room.half_size;
+  to.position = room.position;
+  if (program) {
+    const auto beyond =
+        scene_rom_core::look(program->rooms, id, look.axis, negative, look.portal, look.way);
+    to.neighbour = beyond.room;
+    to.back = beyond.back;
+  } else {
+    to.neighbour = scene_core::neighbour(flags, id, look.axis, negative);
+  }
+}
+
+}  // namespace
+
+chip_core::chip_core(const scene_program* program)
+    : program(program), navigator(navigator_core::at_power_up(program != nullptr)) {
+  if (program) timeline.seek(0, *program);
+}
+
+chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
+  const auto t = vga_timing.comb({rst_n, k.speed}, k);
+  const pwm_sound_core::inputs sound_in{rst_n, k.speed, t.x2, t.y, frame()};
+  const bool pwm = pwm_sound.comb().pwm;
+  const int uo = clock_video(rst_n, k, view);
+  pwm_sound.clock(sound_in);
+  return {uo, pwm};
+}
+
+int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
+  // 1 to 3: raster, FIFO flags, conductor.
+  const vga_timing_core::inputs timing_in{rst_n, k.speed};
+  const auto t = vga_timing.comb(timing_in, k);
+  const bool starving = interval_fifo.starving(k);
+  const sequencer_core::inputs choose{rst_n, t.frame_end, camera_unit.run(), ray_stepper.dr2_q[1]};
+  const auto s = program ? timeline.comb(choose, *program, k) : sequencer.comb(choose, k);
+
+  // 4, 5: the decision.
+  const bool line_reset = !rst_n || t.line_end;
+  const bool tracer_reset = camera_unit.tracer_reset(line_reset);
+  const bool left = subdivider.state_q == StateLeft;
+  const auto& top = stacks.top(subdivider.sp_q, k);
+  subdivider_core::inputs sub{};
+  sub.tracer_reset = tracer_reset;
+  sub.dec = decision_datapath.decide(left ? ray_stepper.dr1_q : ray_stepper.dr2_q, k);
+  sub.mask = decision_datapath.mask();
+  sub.wall = decision_datapath.wall_q;
+  sub.second = decision_datapath.second_q;
+  sub.tag = decision_datapath.tag();
+  sub.starving = starving;
+  sub.top_tag = top.tag;
+  sub.top_i2 = top.i2;
+  sub.lock = s.lock;
+  sub.consume = t.consume;
+
+  // 6: the interval on offer.
+  const int value = pixel_output_core::value(decision_datapath.hit_face_q, subdivider.signs(),
+                                             t.y & 1, s.shading_b, starving, k);
+  const interval_fifo_core::inputs fifo_in{tracer_reset, t.consume, subdivider.emit(sub, k),
+                                           subdivider.len_m1(), value};
+  sub.ack = interval_fifo.ack(fifo_in, k);
+
+  // 7: the subdivider's move.
+  const auto move = subdivider.comb(sub, k);
+
+  // 8, 9: the camera and the stepper.
+  camera_unit_core::inputs cam{line_reset, move.step, ray_stepper.dr2_q, 0, t.y};
+  if (tracer_reset) {
+    const int src = camera_unit.source(line_reset, move.step);
+    cam.angle = program ? timeline.angle(src, t.y, *program) : sequencer.angle(src, t.y);
+  }
+  const auto control = camera_unit.comb(cam, k);
+  sub.idx_load = control.idx_load;
+  sub.idx_start = control.idx_start;
+  sub.i2_init = control.i2_init;
+  const ray_stepper_core::inputs stepper_in{
+      control.load,   control.load_zero, control.ext,   control.ext_sign, control.axis_mask,
+      control.delta,  control.copy,      move.copy_sub, move.step,        move.neg,
+      move.step_size, subdivider.idx2_q, tracer_reset};
+
+  // 10, 11: the room and the navigator.
+  const auto nav = navigator.comb(t.nav_line, decision_datapath.corner_q);
+  decision_datapath_core::inputs place{};
+  place.tracer_reset = tracer_reset;
+  place.restart = move.restart;
+  place.nav_line = t.nav_line;
+  place.active_start = t.active_start;
+  place.nav_position = navigator.position_q;
+  place.nav_room = navigator.room_q;
+  place.nav_axis = nav.axis;
+  place.nav_portal = navigator.portal_q;
+  place.nav_negative = nav.negative;
+  place.nav_move = nav.move;
+  place.nav_op = nav.op;
+  place.velocity = s.velocity;
+  place.descend = move.descend;
+  place.climb = move.climb;
+  place.in_return = subdivider.state_q == StateReturn;
+  place.cur = move.cur;
+  place.leave = move.leave;
+  place.signs = subdivider.signs();
+  place.top_tag = top.tag;
+  place.face_read = stacks.face(decision_datapath.depth_q, k);
+  look_up(program, s.scene_flags, decision_datapath.room_q, decision_datapath.look(place, k),
+          place);
+  place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
+
+  // 12: the pins.
+  const int uo =
+      pixel_output_core::uo({interval_fifo.display(k), s.lock, s.inverse, t.active, t.hsync_n,
+                             t.vsync_n, ray_stepper.dr2_q, s.palette, s.colours},
+                            k);
+  if (view)
+    *view = {t.y,
+             frame(),
+             t.line_end,
+             t.consume,
+             camera_unit.run(),
+             subdivider.state_q,
+             subdivider.idx2_q,
+             subdivider.i2_q,
+             sub.tag,
+             subdivider.sd_q,
+             sub.second,
+             sub.wall,
+             fifo_in.emit,
+             sub.ack,
+             subdivider.line_done_q,
+             move.restart,
+             starving,
+             move.descend,
+             move.push,
+             interval_fifo.fill(k)};
+
+  // The edge.
+  const bool face_write = decision_datapath.face_write(place);
+  stacks.clock({move.push, sub.tag, subdivider.i2_q, subdivider.sp_q, face_write,
+                decision_datapath.face_code(), decision_datapath.depth_q},
+               k);
+  navigator.clock({!rst_n || s.nav_reset, s.start, s.start_room, t.nav_line && t.active_start,
+                   decision_datapath.corner_q, decision_datapath.room_q},
+                  k);
+  decision_datapath.clock(place, k);
+  ray_stepper.clock(stepper_in, k);
+  subdivider.clock(sub, move, k);
+  camera_unit.clock(cam, k);
+  interval_fifo.clock(fifo_in, k);
+  if (program) timeline.clock(choose, *program);
+  else sequencer.clock(choose);
+  vga_timing.clock(timing_in, k);
+  return uo;
+}
+
+void chip_core::deposit(int frame, const knobs& k) {
+  if (program) timeline.seek(frame, *program);
+  else sequencer.frame_q = frame;
+  const navigator_core place = fly_to(frame, k, program);
+  navigator.position_q = place.position_q;
+  navigator.room_q = place.room_q;
+}
+
+namespace {
+
+/// What a frame asks of the navigator.
+sequencer_outputs choices(int frame, const knobs& k, const scene_program* program) {
+  const sequencer_inputs in{true, false, false, 0};
+  if (program) {
+    timeline_core timeline;
+    timeline.seek(frame, *program);
+    return timeline.comb(in, *program, k);
+  }
+  sequencer_core sequencer;
+  sequencer.frame_q = frame;
+  return sequencer.comb(in, k);
+}
+
+/// The last line of a frame: the navigator with the datapath's adder.
+void fly(const sequencer_outputs& s, const knobs& k, const scene_program* program,
+         navigator_core& navigator) {
+  constexpr int Most = 80;  // clocks: four portals at most, and more than enough
+  decision_datapath_core datapath;
+  for (int clock = 0; clock == 0 || (navigator.nav_state_q != NavIdle && clock < Most); ++clock) {
+    const auto nav = navigator.comb(true, datapath.corner_q);
+    decision_datapath_core::inputs in{};
+    in.nav_line = true;
+    in.active_start = clock == 0;
+    in.nav_position = navigator.position_q;
+    in.nav_room = navigator.room_q;
+    in.nav_axis = nav.axis;
+    in.nav_portal = navigator.portal_q;
+    in.nav_negative = nav.negative;
+    in.nav_op = nav.op;
+    in.nav_move = nav.move;
+    in.velocity = s.velocity;
+    look_up(program, s.scene_flags, datapath.room_q, datapath.look(in, k), in);
+    navigator.clock(
+        {s.nav_reset, s.start, s.start_room, in.active_start, datapath.corner_q, datapath.room_q},
+        k);
+    datapath.clock(in, k);
+  }
+}
+
+}  // namespace
+
+navigator_core fly_to(int frame, const knobs& k, const scene_program* program) {
+  int start = frame;
+  while (!choices(start, k, program).nav_reset) --start;
+  navigator_core navigator;
+  for (int f = start; f < frame; ++f) {
+    const auto s = choices(f, k, program);
+    if (s.nav_reset) navigator.clock({true, s.start, s.start_room, false, {}, 0}, k);
+    fly(s, k, program, navigator);
+  }
+  const auto s = choices(frame, k, program);
+  if (s.nav_reset) navigator.clock({true, s.start, s.start_room, false, {}, 0}, k);
+  return navigator;
+}
+
+}  // namespace racebeam

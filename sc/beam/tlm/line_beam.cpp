@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/beam/tlm/line_beam.h"
+
+#include <algorithm>
+
+namespace racebeam {
+
+// Time goes on; the display stays.
+void line_beam::pass(int until) {
+  if (wishes_.stats) wishes_.stats->fifo_fill[fifo_.fill(knobs_)] += until - now_;
+  if (wishes_.indices) std::fill(wishes_.indices + now_, wishes_.indices + until, display());
+  now_ = until;
+}
+
+// The next columns show what is on display.
+void line_beam::show(int columns) {
+  if (wishes_.stats && fifo_.head_only(knobs_))
+    wishes_.stats->starved_pixels += columns - std::clamp(fifo_.head_len_q + 1, 0, columns);
+  if (wishes_.row) {
+    const std::uint8_t colour = wishes_.colours[display()];
+    std::fill_n(wishes_.row + column_, columns, colour);
+    if (wishes_.observer) wishes_.observer->shown(wishes_.y, column_, columns, colour);
+  }
+  column_ += columns;
+}
+
+// One clock.
+void line_beam::step(const interval_fifo_core::inputs& in) {
+  if (in.consume) show(1);
+  pass(now_ + 1);
+  fifo_.clock(in, knobs_);
+}
+
+void line_beam::advance(int clock) {
+  while (now_ < clock) {
+    if (fifo_.splitting(knobs_)) {
+      step({false, consumes(), false, 0, 0});
+      continue;
+    }
+    const int before = raster_.columns_before[clock] - column_;  // columns to be consumed
+    const int quiet = std::min(before, fifo_.quiet_pixels(knobs_));
+    if (quiet > 0) {
+      show(quiet);
+      pass(column_end(column_ - 1));
+      fifo_.count_down(quiet, knobs_);
+    }
+    if (quiet == before) {
+      pass(clock);
+    } else {
+      pass(raster_.column_clock[column_]);
+      step({false, true, false, 0, 0});
+    }
+  }
+}
+
+bool line_beam::offer(int clock, int len_m1, int value) {
+  advance(clock);
+  const interval_fifo_core::inputs in{false, consumes(), true, len_m1, value};
+  if (!fifo_.ack(in, knobs_)) return false;
+  step(in);
+  return true;
+}
+
+int line_beam::starves_from() const {
+  const int pixels = fifo_.pixels(knobs_);
+  return pixels <= 0 ? now_ : column_end(column_ + pixels - 1);
+}
+
+// While full, only a used-up entry makes place.
+int line_beam::offer_again() const {
+  if (fifo_.tail_ptr_q != 0) return now_ + 1;
+  return column_end(column_ + fifo_.tail_len_q);
+}
+
+}  // namespace racebeam

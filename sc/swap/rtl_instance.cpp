@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/swap/rtl_instance.h"
+
+#include <cstdint>
+#include <cstring>
+
+#include "sc/swap/rtl_parameters.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* Clock = "clk_i";
+
+}  // namespace
+
+rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
+                           const std::vector<any_port*>& pins, const knobs& k)
+    : library_(plugin) {
+  if (unit != model().unit)
+    throw RtlError(plugin + " holds the unit " + model().unit + ", not " + unit);
+  std::vector<rtl_pin> wanted;
+  for (const any_port* pin : pins)
+    wanted.push_back({pin->port_name(), pin->is_input(), pin->bits()});
+  const std::string faults = port_faults(model(), wanted);
+  if (!faults.empty())
+    throw RtlError(rtl_place(model()) + ": this does not fit the unit " + unit + "; sc/" + unit +
+                   ".h has its ports:" + faults);
+  for (any_port* pin : pins) {
+    const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
+    if (pin->port_name() == std::string(Clock)) continue;
+    if (pin->is_input()) {
+      inputs_.push_back({pin, value(rtl)});
+      continue;
+    }
+    outputs_.push_back({pin, value(rtl)});
+    auto& alike = rtl.bytes == 1 ? bytes_ : rtl.bytes == 2 ? halves_ : words_;
+    alike.push_back({rtl.data, NoValue, pin});
+  }
+  std::string other;
+  for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), k))
+    other += " " + parameter.name + "=" + std::to_string(parameter.value);
+  if (!other.empty())
+    throw RtlError(plugin + " was built with other parameters; build it with" + other);
+}
+
+int rtl_instance::value::read() const {
+  switch (port_->bytes) {
+    case 1: return *static_cast<const std::uint8_t*>(port_->data);
+    case 2: return *static_cast<const std::uint16_t*>(port_->data);
+    default: return static_cast<int>(*static_cast<const std::uint32_t*>(port_->data));
+  }
+}
+
+void rtl_instance::value::write(int value) const {
+  const int raw = value & low_bits(port_->bits);
+  switch (port_->bytes) {
+    case 1: *static_cast<std::uint8_t*>(port_->data) = static_cast<std::uint8_t>(raw); break;
+    case 2: *static_cast<std::uint16_t*>(port_->data) = static_cast<std::uint16_t>(raw); break;
+    default: *static_cast<std::uint32_t*>(port_->data) = static_cast<std::uint32_t>(raw);
+  }
+}
+
+void rtl_instance::settle() {
+  bool moved = !settled_;
+  if (!settled_)  // the wires are bound by now
+    for (auto* side : {&inputs_, &outputs_})
+      for (joint& port : *side) port.wire = port.pin->contents();
+  settled_ = true;
+  for (joint& in : inputs_) {
+    const int now = in.wire.value();
+    if (now == in.last) continue;
+    in.last = now;
+    in.rtl.write(now);
+    moved = true;
+  }
+  if (moved) library_.eval();
+}
+
+void rtl_instance::edge() { library_.rise(); }
+
+template <class Raw>
+void rtl_instance::drive(std::vector<driven>& outputs) {
+  for (driven& out : outputs) {
+    const int now = static_cast<int>(*static_cast<const Raw*>(out.data));
+    if (now == out.last) continue;
+    out.last = now;
+    out.pin->drive_wire(now);
+  }
+}
+
+void rtl_instance::drive() {
+  drive<std::uint8_t>(bytes_);
+  drive<std::uint16_t>(halves_);
+  drive<std::uint32_t>(words_);
+}
+
+void rtl_instance::seek(int frame) {
+  private_edges({{"rst_ni", 0}}, 1);
+  private_edges({{"rst_ni", 1}, {"frame_end_i", 1}}, frame);
+}
+
+void rtl_instance::place(const vec3& position, int room) {
+  private_edges({{"rst_ni", 1},
+                 {"nav_reset_i", 1},
+                 {"start_x_i", position[0]},
+                 {"start_y_i", position[1]},
+                 {"start_z_i", position[2]},
+                 {"start_room_i", room}},
+                1);
+}
+
+void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>& inputs,
+                                 int edges) {
+  for (const auto& [name, value] : inputs) port(name).write(value);
+  for (; edges > 0; --edges) edge();
+  for (joint& in : inputs_) in.last = NoValue;
+}
+
+rtl_instance::value rtl_instance::signal(const std::string& name) const {
+  for (int n = 0; n < model().signal_count; ++n)
+    if (name == model().signals[n].name) return value(model().signals[n]);
+  throw RtlError(std::string("there is no signal ") + name + " in " + model().unit);
+}
+
+std::vector<probe> rtl_instance::probes() const {
+  std::vector<probe> all;
+  for (int n = 0; n < model().signal_count; ++n) {
+    const rtl_port& signal = model().signals[n];
+    all.push_back({signal.name, signal.bits, [&signal] {
+                     std::uint64_t bits = 0;  // the machine's bytes begin with the lowest
+                     std::memcpy(&bits, signal.data, static_cast<std::size_t>(signal.bytes));
+                     return bits;
+                   }});
+  }
+  return all;
+}
+
+void rtl_instance::deposit(const std::string& name, int value) {
+  signal(name).write(value);
+  for (joint& in : inputs_) in.last = NoValue;
+}
+
+rtl_instance::value rtl_instance::port(const std::string& name) const {
+  return value(rtl_port_of(model(), name));
+}
+
+}  // namespace racebeam

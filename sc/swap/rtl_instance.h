@@ -1,0 +1,90 @@
+// Verilated RTL joined to the pins of a unit.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sc/base/knobs.h"
+#include "sc/base/probe.h"
+#include "sc/base/unit.h"
+#include "sc/swap/rtl_library.h"
+
+namespace racebeam {
+
+/// One instance of verilated RTL behind the ports of a module. Whatever simulates throws RtlFault.
+class rtl_instance {
+ public:
+  /// Loads a plug-in and joins its ports to those of `pins` by name. Throws RtlError: no such file,
+  /// no plug-in, another unit, missing, extra or wrongly sized ports, built for other knobs.
+  rtl_instance(const std::string& plugin, const std::string& unit,
+               const std::vector<any_port*>& pins, const knobs& k);
+
+  /// Copies the inputs from the wires and lets combinational outputs follow.
+  void settle();
+  /// One rising edge with the inputs of the last settle().
+  void edge();
+  /// Drives the wires of all outputs.
+  void drive();
+
+  /// The back doors of sequencer_pins and navigator_pins: the RTL gets there through its pins, in
+  /// clocks of its own; to be followed by settle().
+  void seek(int frame);
+  void place(const vec3& position, int room);
+
+  /// A port or signal of the RTL.
+  class value {
+   public:
+    explicit value(const rtl_port& port) : port_(&port) {}
+    int read() const;
+    /// The low bits of `value`.
+    void write(int value) const;
+    const char* name() const { return port_->name; }
+    int bits() const { return port_->bits; }
+
+   private:
+    const rtl_port* port_;
+  };
+
+  /// An input or output of both sides; the clock is none of them.
+  struct joint {
+    any_port* pin;
+    value rtl;
+    wire_contents wire{};  ///< once it has settled
+    int last = NoValue;    ///< written to the RTL, of an input
+  };
+  const std::vector<joint>& inputs() const { return inputs_; }
+  const std::vector<joint>& outputs() const { return outputs_; }
+
+  /// A signal inside racebeam_top, such as "u_stacks.sp_i". Throws RtlError.
+  value signal(const std::string& name) const;
+  /// All signals inside of RTL that was built with `--signals`; of other RTL none.
+  std::vector<probe> probes() const;
+  /// Writes a register inside racebeam_top; to be followed by settle(). Throws RtlError.
+  void deposit(const std::string& signal, int value);
+
+ private:
+  static constexpr int NoValue = -1;
+  /// An output, as drive() walks over it after each evaluation: little, and by size.
+  struct driven {
+    const void* data;
+    int last;
+    any_port* pin;
+  };
+  template <class Raw>
+  static void drive(std::vector<driven>& outputs);
+
+  value port(const std::string& name) const;
+  void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
+  const rtl_model& model() const { return library_.model(); }
+
+  rtl_library library_;
+  std::vector<joint> inputs_, outputs_;
+  std::vector<driven> bytes_, halves_, words_;  // the outputs
+  bool settled_ = false;                        // at least once
+};
+
+}  // namespace racebeam

@@ -1,0 +1,62 @@
+// rtl_twin: the RTL of a unit behind the unit's pins, in the place of its model.
+//
+// The RTL is verilated to C++ and lives in a plug-in. It is evaluated when an input changes and at
+// the rising edge; outputs are written when they change.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sc/swap/rtl_instance.h"
+
+namespace racebeam {
+
+/// `Unit` is the model whose pins it has.
+template <class Unit>
+class rtl_twin : public Unit::pins, public probed {
+ public:
+  /// From a plug-in. Throws RtlError.
+  rtl_twin(const sc_core::sc_module_name& name, const knobs& k, const std::string& plugin)
+      : Unit::pins(name), rtl_(plugin, Unit::unit_name, ports_of(*this), k) {
+    SC_HAS_PROCESS(rtl_twin);
+    SC_METHOD(comb);
+    for (any_port* port : ports_of(*this))
+      if (port->port_name() != std::string("clk_i")) port->sense(this->sensitive);
+    if constexpr (has_clock<typename Unit::pins>::value) {
+      SC_METHOD(seq);
+      this->sensitive << this->clk_i.pos();
+      this->dont_initialize();
+    }
+  }
+
+  std::vector<probe> probes() const override { return rtl_.probes(); }
+
+  // The back doors of sequencer_pins and navigator_pins.
+  void deposit(int frame) {
+    rtl_.seek(frame);
+    comb();
+  }
+  void deposit(const vec3& position, int room) {
+    rtl_.place(position, room);
+    comb();
+  }
+
+ private:
+  template <class Pins, class = void>
+  struct has_clock : std::false_type {};
+  template <class Pins>
+  struct has_clock<Pins, std::void_t<decltype(Pins::clk_i)>> : std::true_type {};
+
+  void comb() {
+    rtl_.settle();
+    rtl_.drive();
+  }
+  void seq() {
+    rtl_.edge();
+    rtl_.drive();
+  }
+
+  rtl_instance rtl_;
+};
+
+}  // namespace racebeam

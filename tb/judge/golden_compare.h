@@ -1,0 +1,54 @@
+// In how many pixels the chip differs from the golden tracers, and why.
+//
+// A chain of pictures leads from the chip as it was run to trace_4: each link switches one of the
+// chip's limits off, in the cores. A pixel that differs from trace_4 is put down to the last link
+// that changes it, so that these numbers add up to the difference. Behind trace_4 three more causes
+// are counted as what they are: trace_4 against trace_2, trace_2 with corners of any size, and that
+// against geometry. What is left over must be nothing.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tb/golden/golden_picture.h"
+#include "tb/show/show.h"
+
+namespace racebeam {
+
+struct GoldenCause {
+  const char* name;     ///< as in the statistics file
+  const char* meaning;  ///< what is switched off
+};
+
+/// All causes, in the order in which they are switched off: golden_limits() of them lead to
+/// trace_4.
+const std::vector<GoldenCause>& golden_causes();
+int golden_limits();
+
+/// Of one frame, or sums over several.
+struct GoldenCounts {
+  GoldenCounts();
+  GoldenCounts& operator+=(const GoldenCounts& more);
+
+  std::array<int, 3> by_tracer{};  ///< pixels that differ from each GoldenTracer's picture
+  std::vector<int> by_cause;       ///< pixels, by golden_causes()
+};
+
+/// What a comparison of one frame found.
+struct GoldenReport {
+  GoldenCounts counts;
+  GoldenPicture difference;  ///< see golden_difference_picture()
+};
+
+/// Judges `chip`, the picture of a frame of a show rendered with `k`.
+GoldenReport golden_compare(const Show& show, int frame, const knobs& k, const GoldenPicture& chip);
+
+/// The chip's picture dimmed. Bright are the pixels that differ: yellow from trace_4, else cyan
+/// from trace_2, else magenta from geometry.
+GoldenPicture golden_difference_picture(const GoldenPicture& chip,
+                                        const std::array<GoldenPicture, 3>& by_tracer);
+
+}  // namespace racebeam

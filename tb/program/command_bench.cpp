@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_bench.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "sc/beam/camera_unit.h"
+#include "sc/beam/decision_datapath.h"
+#include "sc/beam/interval_fifo.h"
+#include "sc/beam/navigator.h"
+#include "sc/beam/pixel_output.h"
+#include "sc/beam/pwm_sound.h"
+#include "sc/beam/ray_stepper.h"
+#include "sc/beam/scene.h"
+#include "sc/beam/sequencer.h"
+#include "sc/beam/stacks.h"
+#include "sc/beam/subdivider.h"
+#include "sc/video/vga_timing.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/nearest.h"
+#include "tb/base/progress.h"
+#include "tb/speed/chip_rows.h"
+#include "tb/speed/own_process.h"
+#include "tb/twin/unit_bench.h"
+
+namespace racebeam {
+
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Unit>
+std::unique_ptr<sc_core::sc_module> make() {
+  if constexpr (std::is_constructible_v<Unit, const char*, knobs>)
+    return std::make_unique<Unit>("unit", knobs{});
+  else return std::make_unique<Unit>("unit");
+}
+
+struct UnitRow {
+  const char* name;
+  std::unique_ptr<sc_core::sc_module> (*make)();
+};
+constexpr UnitRow unit_rows[] = {
+    {"vga_timing", make<vga_timing>},
+    {"sequencer", make<sequencer>},
+    {"camera_unit", make<camera_unit>},
+    {"ray_stepper", make<ray_stepper>},
+    {"subdivider", make<subdivider>},
+    {"stacks", make<stacks>},
+    {"decision_datapath", make<decision_datapath>},
+    {"scene", make<scene>},
+    {"navigator", make<navigator>},
+    {"interval_fifo", make<interval_fifo>},
+    {"pixel_output", make<pixel_output>},
+    {"pwm_sound", make<pwm_sound>},
+};
+
+void register_unit(const UnitRow& row, int repeats) {
+  constexpr int Edges = 500'000;
+  std::shared_ptr<sc_core::sc_module> unit = row.make();
+  auto bench = std::make_shared<UnitBench>(*unit);
+  bench->stir(1);
+  set_up(benchmark::RegisterBenchmark((std::string("unit: ") + row.name).c_str(),
+                                      [unit, bench](benchmark::State& state) {
+                                        for (auto _ : state) bench->clock(Edges);
+                                        state.counters["clocks"] =
+                                            benchmark::Counter(Edges, benchmark::Counter::kIsRate);
+                                      }),
+         repeats);
+}
+
+/// Clocks a second of a row; 0 if there is none of the name.
+double rate_of(const Json& all, const std::string& name) {
+  for (const auto& row : all)
+    if (row.at("name") == name) return row.at("clocks_per_second");
+  return 0;
+}
+
+/// Clocks a second that a row is compared with; 0: with none.
+using Base = std::function<double(const std::string& name, double rate)>;
+
+/// Compares with the first row that it is asked for.
+Base beside_first() {
+  return [first = std::make_shared<double>(0)](const std::string&, double rate) {
+    if (*first == 0) *first = rate;
+    return *first;
+  };
+}
+
+/// Name and clocks a second of the median of each benchmark. `rows`: their JSON. With a base the
+/// ratio to it too.
+void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
+  for (const auto& row : rows) {
+    if (row.value("run_type", "") == "aggregate" && row.value("aggregate_name", "") != "median")
+      continue;
+    const bool single = row.value("repetitions", 1) == 1;
+    if (row.value("run_type", "") != "aggregate" && !single) continue;
+    const std::string name = row.at("run_name").get<std::string>();
+    const std::string label = name.substr(0, name.find('/'));
+    const double rate = row.at("clocks").get<double>();
+    all.push_back({{"name", label}, {"clocks_per_second", rate}});
+    const double beside = base ? base(label, rate) : 0;
+    if (beside > 0) all.back()["ratio"] = rate / beside;
+    if (json) continue;
+    print(fmt::format("{:<34} {:8.2f} M clocks/s", label, rate / 1e6));
+    print(beside > 0 ? fmt::format("  {:5.2f}\n", rate / beside) : "\n");
+  }
+}
+
+// Groups of rows, which may be asked for as a unit may.
+constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes";
+constexpr const char* Tlm = "tlm: ";
+constexpr const char* Signal = "signal: ";
+constexpr const char* Verilated = "verilated: tt_um_racebeam";
+constexpr double RealTime = 2 * PixelClockHz;  // clocks a second of the chip
+
+/// Benchmarks that run in a process of their own, and how many rows they have.
+struct Group {
+  int rows;
+  std::function<void()> prepare;
+  Base base;
+};
+
+/// Runs groups one after the other, with a bar over all of them.
+class GroupRuns {
+ public:
+  GroupRuns(int rows, bool json, Json& all) : progress_(rows, "rows"), json_(json), all_(all) {}
+
+  void run(const Group& group) {
+    int done = done_;  // in the child
+    progress_.draw(done, 0);
+    const Json rows = run_apart(group.prepare, [&] { progress_.draw(++done, 0); });
+    progress_.clear();
+    collect(rows, json_, all_, group.base);
+    done_ += group.rows;
+  }
+
+ private:
+  Progress progress_;
+  const bool json_;
+  Json& all_;
+  int done_ = 0;
+};
+/// What is known of the slowest part at the level tlm.
+Json slowest_tlm(const Json& all) {
+  Json worst;
+  for (const auto& row : all) {
+    const std::string name = row.at("name");
+    if (name.rfind(Tlm, 0) != 0) continue;
+    const double rate = row.at("clocks_per_second");
+    if (worst.is_null() || rate < worst.at("clocks_per_second"))
+      worst = {{"part", name.substr(std::string(Tlm).size())},
+               {"clocks_per_second", rate},
+               {"of_real_time", rate / RealTime},
+               {"of_signal", row.value("ratio", 0.0)},
+               {"of_verilated", rate / rate_of(all, Verilated)},
+               {"real_time", rate >= RealTime}};
+  }
+  return worst;
+}
+
+std::string verdict(const Json& worst) {
+  return fmt::format(
+      "tlm is {} in its slowest part, {}: {:.2f} times the chip's {:.1f} M clocks/s, {:.1f} times "
+      "signal, {:.1f} times the verilated top\n",
+      worst.at("real_time").get<bool>() ? "in real time" : "NOT in real time",
+      worst.at("part").get<std::string>(), worst.at("of_real_time").get<double>(), RealTime / 1e6,
+      worst.at("of_signal").get<double>(), worst.at("of_verilated").get<double>());
+}
+
+}  // namespace
+
+int command_bench(const BenchOptions& options) {
+  std::vector<std::string> known = {Levels, Traces, Mixes};
+  for (const auto& row : unit_rows) known.push_back(row.name);
+  for (const auto& name : options.rows)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw unknown_name("row", name, known);
+  const auto wanted = [&](const std::string& name) {
+    return options.rows.empty() ||
+           std::find(options.rows.begin(), options.rows.end(), name) != options.rows.end();
+  };
+
+  Json all = Json::array();
+  std::vector<Group> groups;
+  const auto add = [&](int rows, std::function<void()> prepare, Base base = {}) {
+    groups.push_back({rows, std::move(prepare), std::move(base)});
+  };
+  if (wanted(Levels)) {
+    add(1, [&] { register_kernel(options.repeats); });
+    add(part_count(), [&] { register_parts(options); });
+    add(
+        part_count() + 1, [&] { register_tlm_parts(options); },
+        [&all](const std::string& name, double) {
+          return rate_of(all, Signal + name.substr(std::string(Tlm).size()));
+        });
+    add(1, [&] { register_verilated(options.repeats); });
+  }
+  const std::size_t levels = groups.size();
+  if (wanted(Traces))
+    add(
+        TraceRows, [&] { register_traces(options); }, beside_first());
+  const Base beside_models = beside_first();
+  if (wanted(Mixes))
+    for (const ChipMix& mix : chip_mixes())
+      add(
+          1, [&options, mix] { register_mix(mix, options); }, beside_models);
+  for (const auto& row : unit_rows)
+    if (wanted(row.name)) add(1, [&] { register_unit(row, options.repeats); });
+
+  int rows = 0;
+  for (const Group& group : groups) rows += group.rows;
+  GroupRuns runs(rows, options.json, all);
+  Json worst;
+  for (std::size_t n = 0; n < groups.size(); ++n) {
+    runs.run(groups[n]);
+    if (n + 1 != levels) continue;
+    worst = slowest_tlm(all);
+    if (!options.json) print(verdict(worst));
+  }
+  if (options.json) {
+    Json report{{"schema", "racebeam-bench"},
+                {"version", 1},
+                {"repeats", options.repeats},
+                {"frames", options.frames},
+                {"medians", all}};
+    if (wanted(Levels)) report["slowest_tlm"] = worst;
+    print(report.dump(2) + "\n");
+  }
+  return ExitGood;
+}
+
+}  // namespace racebeam

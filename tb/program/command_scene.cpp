@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_scene.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/output_file.h"
+#include "tb/judge/line_estimate.h"
+#include "tb/scene/plan_drawing.h"
+#include "tb/scene/scene_check.h"
+#include "tb/scene/scene_sight.h"
+#include "tb/scene/starter_scene.h"
+#include "tb/show/open_show.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr int FramesPerSecond = 60;
+
+nlohmann::ordered_json timeline(const SceneFile& scene) {
+  nlohmann::ordered_json shots = nlohmann::ordered_json::array();
+  for (const Shot& shot : scene.shots)
+    shots.push_back({{"frame", shot.frame}, {"name", shot.name}});
+  return shots;
+}
+
+nlohmann::ordered_json summary(const SceneFile& scene) {
+  const SceneWidths widths = scene_widths(scene);
+  const LineEstimate line = estimate_worst_line(Show(scene, ""));
+  return {{"schema", "racebeam-scene"},
+          {"version", 1},
+          {"name", scene.name},
+          {"rooms", scene.rooms.size()},
+          {"portals", count_portals(scene)},
+          {"portals_per_face", widths.portals_per_face},
+          {"shots", scene.shots.size()},
+          {"frames", scene.frames},
+          {"timeline", timeline(scene)},
+          {"deepest_view", deepest_view(scene)},
+          {"room_bits", widths.room_bits},
+          {"corner_bits", built_corner_bits(scene, widths)},
+          {"corner_bits_needed", widths.corner_bits},
+          {"camera_bits", widths.camera_bits},
+          {"worst_line",
+           {{"clocks", line.clocks},
+            {"budget", LineEstimate::Budget},
+            {"intervals", line.intervals},
+            {"frame", line.frame},
+            {"y", line.y}}}};
+}
+
+std::string table(const nlohmann::ordered_json& scene) {
+  std::string text;
+  const auto row = [&](const char* name, const std::string& value) {
+    text += fmt::format("{:<14} {}\n", name, value);
+  };
+  const auto number = [](const nlohmann::ordered_json& value) { return value.get<int>(); };
+  row("scene", scene["name"].get<std::string>());
+  row("rooms", std::to_string(number(scene["rooms"])));
+  row("portals", fmt::format("{}, up to {} in a face", number(scene["portals"]),
+                             number(scene["portals_per_face"])));
+  row("timeline",
+      fmt::format("{} frames ({:.1f} s), {} shots", number(scene["frames"]),
+                  number(scene["frames"]) / double(FramesPerSecond), number(scene["shots"])));
+  row("deepest view", fmt::format("{} portals", number(scene["deepest_view"])));
+  const int needed = number(scene["corner_bits_needed"]), built = number(scene["corner_bits"]);
+  row("widths", fmt::format("room {}, corner {}, camera {} bits", number(scene["room_bits"]), built,
+                            number(scene["camera_bits"])));
+  if (needed > built)
+    row("", fmt::format("far corners wrap: {} corner bits would hold them", needed));
+  const nlohmann::ordered_json& line = scene["worst_line"];
+  row("worst line",
+      fmt::format("about {} of {} clocks, {} intervals (frame {}, y {}); an estimate",
+                  number(line["clocks"]), number(line["budget"]), number(line["intervals"]),
+                  number(line["frame"]), number(line["y"])));
+  for (const nlohmann::ordered_json& shot : scene["timeline"])
+    if (shot["name"] != "")
+      row(fmt::format("frame {}", number(shot["frame"])).c_str(), shot["name"].get<std::string>());
+  return text;
+}
+
+}  // namespace
+
+int command_scene_check(const SceneOptions& options) {
+  std::string warnings;
+  const SceneFile scene = load_scene(options.file, &warnings);
+  std::fputs(warnings.c_str(), stderr);
+  print(fmt::format("good: {} rooms, {} portals\n", scene.rooms.size(), count_portals(scene)));
+  return ExitGood;
+}
+
+int command_scene_show(const SceneOptions& options) {
+  const SceneFile scene = load_scene(options.file);
+  const nlohmann::ordered_json json = summary(scene);
+  using Json = nlohmann::ordered_json;
+  print(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : table(json));
+  return ExitGood;
+}
+
+int command_scene_plan(const SceneOptions& options) {
+  const std::string kind = extension_of(options.picture);
+  if (kind != ".png" && kind != ".svg")
+    throw UsageError("scene plan writes .png or .svg; rename " + options.picture);
+  const SceneFile scene = load_scene(options.file);
+  const PlanDrawing plan = draw_plan(scene, kind == ".svg" ? PlanFormat::Svg : PlanFormat::Png);
+  write_text(options.picture, plan.bytes);
+  tell(fmt::format("wrote {}, {} x {} pixels: each storey from above, and all from the south",
+                   options.picture, plan.width, plan.height));
+  return ExitGood;
+}
+
+int command_scene_new(const SceneOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored)))
+    throw UsageError(options.file + " exists; choose another name");
+  write_text(options.file, starter_scene());
+  tell("wrote " + options.file + "; try `racebeam scene plan " + options.file + " -o plan.png`");
+  return ExitGood;
+}
+
+}  // namespace racebeam

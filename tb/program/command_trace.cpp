@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_trace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/progress.h"
+#include "tb/show/open_show.h"
+#include "tb/show/set_knob.h"
+#include "tb/trace/event_watch.h"
+#include "tb/trace/trace_tt.h"
+#include "tb/trace/trigger.h"
+#include "tb/trace/window_writer.h"
+#include "tb/twin/use_option.h"
+#include "tb/wave/clocked_waves.h"
+#include "tb/wave/diff_report.h"
+#include "tb/wave/draw_waveform.h"
+
+namespace racebeam {
+
+namespace {
+
+int compare(const TraceOptions& options) {
+  if (options.needs_run() || !(options.scene + options.picture).empty())
+    throw UsageError(
+        "--diff compares two files that are there; of the other options only --shared, --scope and "
+        "--depth mean something with it");
+  return report_diff(options.diff.at(0), options.diff.at(1), options.shared, options.selection());
+}
+
+int draw(const TraceOptions& options) {
+  if (options.needs_run())
+    throw UsageError(options.scene +
+                     " is a waveform and drawn as it is; of the other options only --scope and "
+                     "--depth mean something there");
+  return draw_waveform(options.scene, options.picture, options.selection());
+}
+
+/// The window that the command line says, or that the cores alone can find; none if the user stops
+/// them.
+std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWindowReader& reader,
+                                     const SignalBench::Options& setting, const Raster& raster) {
+  if (!options.searches()) return reader.window(options.from, options.to);
+  const TraceWindow where = options.searched(reader);
+  const std::int64_t begin = TracePoint{where.from.frame, FirstLine, 0}.ordinal(raster);
+  const int line = raster.line_clocks();
+  Progress progress((where.to.ordinal(raster) - begin) / line + 1, "lines");
+  const std::optional<TracePoint> found = find_trigger(
+      options.around, where, setting.k, raster, setting.program, [&](std::int64_t clocks) {
+        progress.draw(clocks / line, static_cast<std::uint64_t>(clocks));
+        return !interrupted();
+      });
+  progress.clear();
+  if (interrupted()) return std::nullopt;
+  if (!found) throw options.nothing_found(where);
+  tell(fmt::format("{}: frame {}, line {}, clock {}", options.around, found->frame, found->line,
+                   found->clock));
+  return options.around_point(*found, reader, raster);
+}
+
+/// Runs the chip until something happens.
+int watch(const TraceOptions& options, const TraceWindowReader& reader, SignalBench& bench,
+          const Raster& raster, const WindowWriter& writer) {
+  const TraceWindow where = options.searched(reader);
+  const std::int64_t first = where.from.ordinal(raster), before = options.clocks_before(raster);
+  if (!options.picture.empty()) check_picture_clocks(options.most_clocks(raster));
+  TraceRun run(bench, raster, point_at(std::max<std::int64_t>(first - before, 0), raster).frame);
+  writer.check(run);
+  std::optional<Condition> condition;
+  if (!options.when.empty()) {
+    bench.watch_registers();
+    condition.emplace(options.when, chip_signals(bench), raster);
+  }
+  const EventWatch watch{
+      condition ? &*condition : nullptr, before,
+      [&](const TracePoint& at) { return options.around_point(at, reader, raster); },
+      [&](TraceRun& copy, const TraceWindow& window) { return writer.write(copy, window); }};
+  if (const std::optional<int> code = watch.run(run, first, where.to.ordinal(raster))) return *code;
+  if (!options.when.empty() && options.record == 0) throw options.nothing_found(where);
+  tell(fmt::format("nothing happened from {}:{} to {}:{}; nothing is written", where.from.frame,
+                   where.from.line, where.to.frame, where.to.line));
+  return ExitGood;
+}
+
+/// Whether some unit is compared.
+bool compares(const unit_choices& units) {
+  return std::any_of(units.by_unit.begin(), units.by_unit.end(),
+                     [](const auto& one) { return one.second.lockstep; });
+}
+
+}  // namespace
+
+int command_trace(const TraceOptions& options) {
+  if (!options.diff.empty()) return compare(options);
+  if (options.shared)
+    throw UsageError("--shared is for the two files of --diff; leave it out, or add --diff");
+  if (!options.project.empty()) return trace_tt(options);
+  refuse_tt_options(options);
+  if (is_waveform(options.scene)) return draw(options);
+  if (options.scene.empty())
+    throw UsageError(
+        "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
+  const Show show = open_show(options.scene);
+  SignalBench::Options setting{show.standard_knobs()};
+  set_knobs(setting.k, options.assignments);
+  if (const std::string why = show.objection(setting.k); !why.empty()) throw UsageError(why);
+  setting.program = show.program();
+  const Raster raster(setting.k.clocks_per_pixel, setting.k.speed);
+  const TraceWindowReader reader(show.frames(), raster);
+  reader.check(options.from, options.to);
+  options.check(raster);
+
+  const WindowWriter writer{show.name(), [&](int frame) { return show.part(frame); },
+                            options.output, options.picture, options.selection()};
+  catch_interrupts();
+  std::optional<TraceWindow> window;
+  if (!options.watches()) {
+    window = window_of(options, reader, setting, raster);
+    if (!window) return ExitInterrupted;
+  }
+  if (window && !options.picture.empty())
+    check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
+  if (options.transactions())
+    return writer.write_transactions(setting.k, setting.program, raster, *window);
+
+  const UseOption use(setting.k, show.program(), true);
+  for (const std::string& choice : options.units) use.use(setting.units, choice);
+  if (options.awaits_mismatch() && !compares(setting.units))
+    throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
+  SignalBench bench(setting);
+  if (!window) return watch(options, reader, bench, raster, writer);
+  TraceRun run(bench, raster, window->from.frame);
+  return writer.write(run, *window);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/forked.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/progress.h"
+#include "tb/bench/signal_bench.h"
+#include "tb/program/verify_report.h"
+#include "tb/program/verify_unit.h"
+#include "tb/show/open_show.h"
+#include "tb/show/set_knob.h"
+#include "tb/trace/difference_wave.h"
+#include "tb/twin/lockstep_report.h"
+#include "tb/twin/use_option.h"
+
+namespace racebeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool all_differ(const SignalBench& bench) {
+  const auto units = bench.locksteps();
+  return std::all_of(units.begin(), units.end(),
+                     [](auto* unit) { return unit->first() || unit->fault(); });
+}
+
+/// What the user wrote of a unit, for a command that repeats a run.
+std::string word_of(const VerifyOptions& options, const std::string& unit) {
+  for (const std::string& word : options.units)
+    if (word.rfind(unit + "=", 0) == 0) return word;
+  return unit;
+}
+
+std::string repeat_text(const VerifyOptions& options, const std::string& unit, long long frames,
+                        long long random) {
+  std::string text =
+      fmt::format("racebeam verify {} --scene {} --frames {} --random {} --seed {}",
+                  word_of(options, unit), options.scene, frames, random, options.seed);
+  for (const std::string& assignment : options.assignments) text += " --set " + assignment;
+  return text;
+}
+
+/// The command that shows the chip around a difference in a frame.
+std::string closer_text(const VerifyOptions& options, const std::string& unit, int frame) {
+  const std::string word = word_of(options, unit), file = word.substr(unit.size());
+  std::string rest = " --use " + unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
+  for (const std::string& assignment : options.assignments) rest += " --set " + assignment;
+  return trace_command(options.scene, frame, unit, rest);
+}
+
+/// All units at once, in the chip, over frames spread over the show, until each has differed or
+/// ended.
+std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
+                                        const knobs& k, const unit_choices& choices) {
+  const auto start = std::chrono::steady_clock::now();
+  SignalBench bench({k, false, false, false, show.program(), choices, false, nullptr, true});
+  const Raster raster(k.clocks_per_pixel, k.speed);
+  std::vector<int> frames;
+  Progress progress(static_cast<int>(options.frames));
+  for (int i = 0; i < options.frames && !interrupted() && !all_differ(bench); ++i) {
+    frames.push_back(static_cast<int>(i * show.frames() / options.frames));
+    bench.seek(frames.back());
+    try {
+      bench.render();
+    } catch (const Interrupted&) {
+      break;
+    }
+    progress.draw(i + 1, bench.clocks());
+  }
+  progress.clear();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<UnitVerdict> verdicts;
+  for (const Lockstep* unit : bench.locksteps()) {
+    UnitVerdict verdict{unit->unit(),
+                        "chip",
+                        unit->clocks(),
+                        unit->masked(),
+                        unit->differences(),
+                        seconds,
+                        {},
+                        unit->fault().value_or("")};
+    if (const auto& d = unit->first()) {
+      const BeamPlace place = place_of(d->clock, frames, raster);
+      const DifferenceContext context{
+          "in " + place_text(place, raster), repeat_text(options, unit->unit(), options.frames, 0),
+          closer_text(options, unit->unit(), place.frame),
+          save_chip_window(*d, {show, raster, frames}, k, options.folder), k};
+      verdict.first =
+          FirstDifference{d->port, d->clock, d->expected, d->got, place, explain(*d, context)};
+    }
+    verdicts.push_back(verdict);
+  }
+  return verdicts;
+}
+
+/// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
+UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
+                         std::uint64_t clocks, const std::function<void(std::uint64_t)>& compared) {
+  try {
+    return verdict_of(Json::parse(forked([&] {
+      return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
+                                 options.folder, repeat_text(options, dut.unit, 0, options.random),
+                                 compared))
+          .dump();
+    })));
+  } catch (const ChildDied& death) {
+    return {dut.unit,    stimulus == Stimulus::Random ? "random" : "walk", 0, 0, 0, 0, {},
+            death.what()};
+  }
+}
+
+/// Each unit by itself: the walk of one that has a walk, and random traffic.
+std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
+                                          const knobs& k, const unit_choices& choices) {
+  std::vector<UnitVerdict> verdicts;
+  std::uint64_t all = 0, done = 0;  // clocks
+  for (const auto& [unit, choice] : choices.by_unit)
+    if (unit != WholeChip) all += walk_clocks(unit) + static_cast<std::uint64_t>(options.random);
+  Progress progress(static_cast<std::int64_t>(all), "clocks of units alone");
+  const auto verify = [&](const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks) {
+    const auto draw = [&](std::uint64_t compared) {
+      progress.draw(static_cast<std::int64_t>(done + compared), done + compared, dut.unit);
+    };
+    draw(0);
+    verdicts.push_back(verify_alone(options, dut, stimulus, clocks, draw));
+    progress.clear();
+    done += clocks;
+  };
+  for (const auto& [unit, choice] : choices.by_unit) {
+    if (unit == WholeChip) continue;  // the whole chip has its own traffic only
+    const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
+    try {
+      if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
+        verify(dut, Stimulus::Walk, clocks);
+      if (interrupted()) break;
+      verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
+    } catch (const Interrupted&) {
+      break;
+    }
+  }
+  return verdicts;
+}
+
+}  // namespace
+
+VerifyPlan plan_verify(const VerifyOptions& options) {
+  VerifyPlan plan{open_show(options.scene), {}};
+  const Show& show = plan.show;
+  if (options.frames == 0 && options.random == 0)
+    throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
+  if (options.frames < 0 || options.frames > show.frames())
+    throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
+                                 show.frames()));
+  plan.k = show.standard_knobs();
+  set_knobs(plan.k, options.assignments);
+  if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
+  return plan;
+}
+
+int command_verify(const VerifyOptions& options) {
+  const auto [show, k] = plan_verify(options);
+  const UseOption use(k, show.program());
+  unit_choices choices;
+  if (options.units.empty()) use.lockstep(choices, "all");
+  for (const std::string& unit : options.units) use.lockstep(choices, unit);
+  catch_interrupts();
+  std::vector<UnitVerdict> verdicts;
+  if (options.random > 0) verdicts = verify_at_random(options, show, k, choices);
+  for (const UnitVerdict& verdict : verdicts)
+    if (!verdict.fault.empty()) choices.by_unit.erase(verdict.unit);
+  if (options.frames > 0 && !interrupted() && !choices.by_unit.empty())
+    for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
+      verdicts.push_back(verdict);
+
+  bool differs = false, faulty = false;
+  Json json = Json::array();
+  for (const UnitVerdict& verdict : verdicts) {
+    differs |= verdict.differences > 0;
+    faulty |= !verdict.fault.empty();
+    json.push_back(to_json(verdict));
+  }
+  if (options.json) {
+    print(
+        Json{{"schema", "racebeam-verify"}, {"version", 1}, {"seed", options.seed}, {"units", json}}
+            .dump(2) +
+        "\n");
+  } else {
+    print(verdict_table(verdicts));
+  }
+  for (const UnitVerdict& verdict : verdicts) {
+    if (verdict.first) tell_difference(verdict.first->text);
+    if (!verdict.fault.empty()) tell(verdict.unit + ": " + verdict.fault);
+  }
+  if (interrupted()) return ExitInterrupted;
+  if (faulty) return ExitUsage;
+  return differs ? ExitDifference : ExitGood;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_verilate.h"
+
+#include <filesystem>
+
+#include "tb/base/errors.h"
+#include "tb/base/output_file.h"
+#include "tb/base/whole_file.h"
+#include "tb/verilate/project_folder.h"
+#include "tb/verilate/rtl_plugin.h"
+#include "tb/verilate/rtl_syntax.h"
+#include "tb/verilate/source_list.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+RtlSources sources_of(const VerilateOptions& options) {
+  const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  std::vector<std::string> files = options.files;
+  if (files.empty()) files = {rtl_file(options.unit)};
+  RtlSources all{options.unit};
+  for (const std::string& file : files) {
+    const RtlSources some = read_source_list(options.unit, file);
+    add(all.files, some.files);
+    add(all.include_folders, some.include_folders);
+    add(all.defines, some.defines);
+    add(all.parameters, some.parameters);
+    add(all.libraries, some.libraries);
+  }
+  add(all.include_folders, options.include_folders);
+  add(all.defines, options.defines);
+  add(all.parameters, options.parameters);
+  add(all.libraries, options.libraries);
+  all.signals = options.signals;
+  return all;
+}
+
+void copy_whole(const std::string& from, const std::string& to) {
+  const std::string bytes = whole_file(from);
+  OutputFile out(to);
+  out.write(bytes.data(), bytes.size());
+  out.commit();
+}
+
+/// "OUT: FILE FILE", with the spaces of names escaped.
+std::string rule(const std::string& out, const std::vector<std::string>& files) {
+  std::string text = out + ":";
+  for (const std::string& file : files) {
+    text += " ";
+    for (const char c : file)
+      text += c == ' ' || c == '#' ? std::string("\\") + c : std::string(1, c);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+int command_verilate(const VerilateOptions& options) {
+  const RtlSources sources = sources_of(options);
+  copy_whole(rtl_plugin(sources), options.plugin);
+  if (!options.dependencies.empty())
+    write_text(options.dependencies, rule(options.plugin, read_rtl_syntax(sources).files));
+  return ExitGood;
+}
+
+}  // namespace racebeam

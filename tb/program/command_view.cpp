@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_view.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/nearest.h"
+#include "tb/program/view_setting.h"
+#include "tb/program/view_tt.h"
+#include "tb/show/open_show.h"
+#include "tb/show/set_knob.h"
+#include "tb/twin/use_option.h"
+#include "tb/view/signal_source.h"
+#include "tb/view/tlm_source.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* BuiltIn = "demo";
+
+std::string level_of(const ViewOptions& options) {
+  if (options.level.empty()) return options.units.empty() ? "tlm" : "signal";
+  if (options.level != "tlm" && options.level != "signal")
+    throw unknown_name("level", options.level, {"tlm", "signal"});
+  if (options.level == "tlm" && !options.units.empty())
+    throw UsageError("--use needs --level signal; leave out --level, or --use");
+  return options.level;
+}
+
+knobs knobs_of(const ViewOptions& options, const Show& show) {
+  knobs k = show.standard_knobs();
+  set_knobs(k, options.assignments);
+  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
+  return k;
+}
+
+Stage tlm_stage(const ViewOptions& options, const Show& show) {
+  const knobs k = knobs_of(options, show);
+  const SceneFile* scene = show.scene();
+  const bool wraps = !scene || scene->wrap || scene->overlap;
+  return {show, k, std::make_unique<TlmSource>(k, show.program(), wraps)};
+}
+
+Stage signal_stage(const ViewOptions& options, const Show& show) {
+  const knobs k = knobs_of(options, show);
+  unit_choices units;
+  const UseOption use(k, show.program());
+  for (const std::string& choice : options.units) use.use(units, choice);
+  return {show, k, std::make_unique<SignalSource>(k, show.program(), units)};
+}
+
+/// SystemC wires a chip once in a process: another scene needs another process.
+struct StartAgain {};
+
+// The keys that make this state out of the one at the start.
+std::string keys_of(const ViewState& state) {
+  std::string keys;
+  for (const auto& [key, on] :
+       {std::pair{"b", !state.beam}, std::pair{"i", state.borders}, std::pair{"g", state.gauges},
+        std::pair{"t", state.text}, std::pair{"h", state.help}, std::pair{"m", state.muted}})
+    if (on) keys += std::string(key) + " ";
+  if (state.map) keys += std::to_string(1 + static_cast<int>(*state.map)) + " ";
+  for (int i = 0; i < std::abs(state.speed); ++i) keys += state.speed < 0 ? "- " : "+ ";
+  return keys;
+}
+
+// The same command at the same frame. Does not return.
+void start_again(const ViewOptions& options, const Viewer& viewer) {
+  const int frame = std::min(viewer.source().watch().frame(), viewer.show().frames() - 1);
+  std::vector<std::string> words = {"racebeam",
+                                    "view",
+                                    options.scene,
+                                    "--level",
+                                    "signal",
+                                    "--first",
+                                    std::to_string(frame),
+                                    "--scale",
+                                    std::to_string(options.scale),
+                                    "--output",
+                                    options.folder};
+  for (const std::string& one : options.assignments) words.insert(words.end(), {"--set", one});
+  for (const std::string& one : options.units) words.insert(words.end(), {"--use", one});
+  if (options.frames) words.insert(words.end(), {"--frames", std::to_string(*options.frames)});
+  if (options.terminal) words.emplace_back("--term");
+  if (viewer.control.state.paused) words.emplace_back("--paused");
+  const std::string keys = keys_of(viewer.control.state);
+  if (!keys.empty()) words.push_back("--keys=" + keys);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  give_back_stdout();
+  execv("/proc/self/exe", arguments.data());
+  throw UsageError("the program cannot be started again with the changed scene");
+}
+
+// The demo in scenes/, beside the program's sources or where they are installed.
+Show demo_file() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& folder : {program / "../share/racebeam", fs::path(RACEBEAM_ROOT)})
+    if (fs::exists(folder / "scenes/demo.toml", error))
+      return open_show((folder / "scenes/demo.toml").string());
+  throw UsageError("free flight needs a scene file, and scenes/demo.toml is not here");
+}
+
+std::string explain_of(const ViewOptions& options) {
+  const bool plain = options.scene.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos;
+  std::string command = "explain " + (plain ? options.scene : "'" + options.scene + "'");
+  for (const std::string& one : options.assignments) command += " --set " + one;
+  return command;
+}
+
+}  // namespace
+
+int command_view(const ViewOptions& options) {
+  if (!options.project.empty()) return view_tt(options);
+  refuse_tt_options(options);
+  if (options.scene.empty())
+    throw UsageError("scene is required, or --tt; `racebeam view --help` shows what it takes");
+  const std::string level = level_of(options);
+  const std::vector<std::string> keys = keys_to_press(options, false);
+  const Show show = open_show(options.scene);
+  Viewer::Options setting = viewer_options(options, show.frames());
+  if (options.scene != BuiltIn) setting.scene_file = options.scene;
+  setting.demo_file = demo_file;
+  setting.explain = explain_of(options);
+  const bool tlm = level == "tlm";
+  if (tlm) setting.restage = [&](const Show& changed) { return tlm_stage(options, changed); };
+  else
+    setting.restage = [&](const Show& changed) -> Stage {
+      knobs_of(options, changed);  // an objection is told, and the old scene goes on
+      throw StartAgain{};
+    };
+  Stage stage = tlm ? tlm_stage(options, show) : signal_stage(options, show);
+  auto screen = open_screen(options);
+  Viewer viewer(std::move(stage), setting);
+  viewer.control.state.paused = options.paused;
+  catch_interrupts();
+  bool again = false;
+  int code = ExitGood;
+  try {
+    code = run_view(viewer, *screen, keys);
+  } catch (const StartAgain&) {
+    again = true;
+  } catch (const Interrupted&) {
+    code = ExitInterrupted;
+  }
+  screen.reset();
+  if (const std::string said = viewer.end(); !said.empty()) tell(said);
+  if (again) start_again(options, viewer);
+  return code;
+}
+
+}  // namespace racebeam

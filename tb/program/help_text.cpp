@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/help_text.h"
+
+#include <sstream>
+
+namespace racebeam {
+
+namespace {
+
+constexpr std::size_t Columns = 100;
+
+// `name` on the left, `text` in the column on the right, from the next line on if `name` is long.
+std::string entry(const std::string& name, const std::string& text, std::size_t left) {
+  std::string all = "  " + name;
+  if (text.empty()) return all + "\n";
+  if (all.size() >= left) all += "\n" + std::string(left, ' ');
+  else all.resize(left, ' ');
+  std::size_t column = left;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (column > left && column + 1 + word.size() > Columns) {
+      all += "\n" + std::string(left, ' ');
+      column = left;
+    }
+    if (column > left) ++column, all += ' ';
+    all += word;
+    column += word.size();
+  }
+  return all + "\n";
+}
+
+}  // namespace
+
+std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
+  return entry(make_option_name(option, is_positional) + make_option_opts(option),
+               make_option_desc(option), get_column_width());
+}
+
+std::string HelpText::make_subcommand(const CLI::App* command) const {
+  return entry(command->get_name(), command->get_description(), get_column_width());
+}
+
+}  // namespace racebeam

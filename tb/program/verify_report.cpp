@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/verify_report.h"
+
+#include <fmt/format.h>
+
+namespace racebeam {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* Row = "{:<18} {:<7} {:>12} {:>7} {:>10} {:>11}\n";
+
+Json to_json(const FirstDifference& d) {
+  Json json = {{"port", d.port}, {"clock", d.clock}, {"expected", d.expected}, {"got", d.got}};
+  if (d.place)
+    json["place"] = {{"frame", d.place->frame}, {"line", d.place->line}, {"clock", d.place->clock}};
+  json["text"] = d.text;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const UnitVerdict& v) {
+  return {{"unit", v.unit},
+          {"traffic", v.traffic},
+          {"clocks", v.clocks},
+          {"seconds", v.seconds},
+          {"masked", v.masked},
+          {"differences", v.differences},
+          {"first", v.first ? to_json(*v.first) : Json()},
+          {"fault", v.fault.empty() ? Json() : Json(v.fault)}};
+}
+
+UnitVerdict verdict_of(const Json& json) {
+  UnitVerdict verdict{json["unit"],
+                      json["traffic"],
+                      json["clocks"],
+                      json["masked"],
+                      json["differences"],
+                      json["seconds"],
+                      {},
+                      json["fault"].is_null() ? "" : json["fault"]};
+  if (const Json& d = json["first"]; !d.is_null())
+    verdict.first = FirstDifference{d["port"], d["clock"], d["expected"], d["got"], {}, d["text"]};
+  return verdict;
+}
+
+std::string verdict_table(const std::vector<UnitVerdict>& verdicts) {
+  std::string text =
+      fmt::format(Row, "unit", "traffic", "clocks", "masked", "differ", "M clocks/s");
+  for (const UnitVerdict& v : verdicts) {
+    const double speed = v.seconds > 0 ? static_cast<double>(v.clocks) / v.seconds / 1e6 : 0;
+    const std::string row = fmt::format(Row, v.unit, v.traffic, v.clocks, v.masked, v.differences,
+                                        fmt::format("{:.2f}", speed));
+    text += v.fault.empty() ? row : row.substr(0, row.size() - 1) + "  " + v.fault + "\n";
+  }
+  return text;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/verify_unit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <type_traits>
+
+#include "sc/beam/chip.h"
+#include "tb/base/interrupt.h"
+#include "tb/trace/difference_wave.h"
+#include "tb/twin/random_traffic.h"
+#include "tb/twin/tune_walk.h"
+#include "tb/twin/unit_bench.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr std::uint64_t Batch = 10000;  // clocks, then it looks
+
+template <class Unit>
+std::unique_ptr<sc_core::sc_module> make(const knobs& k, const scene_program* program) {
+  if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const scene_program&>)
+    return std::make_unique<Unit>("model", k, *program);
+  else if constexpr (std::is_constructible_v<Unit, const char*, const scene_program&>)
+    return std::make_unique<Unit>("model", *program);
+  else if constexpr (std::is_constructible_v<Unit, const char*, const knobs&>)
+    return std::make_unique<Unit>("model", k);
+  else return std::make_unique<Unit>("model");
+}
+
+template <class... Units>
+std::unique_ptr<sc_core::sc_module> make_one_of(const UnitUnderTest& dut) {
+  std::unique_ptr<sc_core::sc_module> made;
+  ((dut.unit == Units::unit_name ? void(made = make<Units>(dut.k, dut.program)) : void()), ...);
+  return made;
+}
+
+/// No episode is long enough to count there. One in four: the last frame.
+int any_frame(const UnitUnderTest& dut, unsigned random) {
+  const unsigned frames = dut.program ? static_cast<unsigned>(dut.program->frames) : DemoFrames;
+  return static_cast<int>(random % 4 == 0 ? frames - 1 : random / 4 % frames);
+}
+
+}  // namespace
+
+std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
+  return make_one_of<vga_timing, sequencer, timeline, camera_unit, ray_stepper, subdivider, stacks,
+                     decision_datapath, scene, scene_rom, navigator, interval_fifo, pixel_output,
+                     pwm_sound>(dut);
+}
+
+std::uint64_t walk_clocks(const std::string& unit) {
+  return unit == pwm_sound::unit_name ? TuneWalk::Clocks : 0;
+}
+
+UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
+                        unsigned seed, const std::string& folder, const std::string& repeat,
+                        const std::function<void(std::uint64_t)>& compared) {
+  const auto model = make_model(dut);
+  Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
+  lockstep.outlive_faults();
+  UnitBench bench(*model, &lockstep.clk_i);
+  const auto start = std::chrono::steady_clock::now();
+  RandomTraffic traffic(bench, dut.k, seed);
+  if (auto* counter = dynamic_cast<sequencer_pins*>(model.get()))
+    traffic.at_episodes([&, counter](unsigned random) {
+      const int frame = any_frame(dut, random);
+      counter->deposit(frame);
+      lockstep.deposit_frame(frame);
+    });
+  TuneWalk walk(bench, seed);
+  if (stimulus == Stimulus::Walk) bench.between_edges([&] { walk.next(); });
+  else bench.between_edges([&] { traffic.next(); });
+  while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole()) &&
+         !lockstep.fault() && !interrupted()) {
+    bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
+    compared(lockstep.clocks());
+  }
+  const bool random = stimulus == Stimulus::Random;
+  UnitVerdict verdict{dut.unit,
+                      random ? "random" : "walk",
+                      lockstep.clocks(),
+                      lockstep.masked(),
+                      lockstep.differences(),
+                      0,
+                      {},
+                      {}};
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  verdict.fault = lockstep.fault().value_or("");
+  if (const auto& d = lockstep.first())
+    verdict.first = FirstDifference{
+        d->port,
+        d->clock,
+        d->expected,
+        d->got,
+        {},
+        explain(*d, {random ? "on random traffic" : "on the walk through its tune", repeat, "",
+                     save_unit_window(*d, verdict.traffic, dut.k, folder), dut.k})};
+  return verdict;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,63 @@
+// Model and RTL of one unit alone, on traffic that the chip never makes, in lockstep.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sc/beam/scene_program.h"
+#include "tb/twin/lockstep.h"
+#include "tb/twin/lockstep_report.h"
+
+namespace racebeam {
+
+/// Where a comparison found the first difference.
+struct FirstDifference {
+  std::string port;
+  std::uint64_t clock = 0;         ///< compared clocks before it
+  int expected = 0, got = 0;       ///< raw bits of the model and of the RTL
+  std::optional<BeamPlace> place;  ///< of the chip's traffic only
+  std::string text;                ///< explained
+};
+
+/// What a comparison of one unit found.
+struct UnitVerdict {
+  std::string unit, traffic;  ///< traffic: "chip", "random" or "walk"
+  std::uint64_t clocks = 0;   ///< compared
+  std::uint64_t masked = 0;   ///< compares of an output left out
+  std::uint64_t differences = 0;
+  double seconds = 0;
+  std::optional<FirstDifference> first;
+  std::string fault;  ///< what ended the RTL before the comparison was over; or empty
+};
+
+/// A unit and what its twins are made for.
+struct UnitUnderTest {
+  std::string unit, plugin;  ///< plugin: empty for the unit's own RTL
+  knobs k;
+  const scene_program* program;  ///< for timeline and scene_rom
+};
+
+/// Its model, called "model".
+std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut);
+
+/// What drives a unit alone: RandomTraffic, or a walk through what that does not reach.
+enum class Stimulus { Random, Walk };
+
+/// Clocks of the walk of a unit that has one; else 0.
+std::uint64_t walk_clocks(const std::string& unit);
+
+/// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, a fault or
+/// an interrupt; a difference is explained and saved in `folder`; `repeat` is the command for it.
+/// `compared` is told now and then how many clocks are done. Only one such comparison and nothing
+/// else of SystemC may happen in a process. Throws RtlError, OutputError.
+UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
+                        unsigned seed, const std::string& folder, const std::string& repeat,
+                        const std::function<void(std::uint64_t)>& compared);
+
+}  // namespace racebeam

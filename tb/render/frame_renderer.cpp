@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/frame_renderer.h"
+
+#include <fmt/format.h>
+
+#include "tb/bench/signal_bench.h"
+#include "tb/bench/tlm_bench.h"
+#include "tb/monitor/raster.h"
+#include "tb/picture/image_files.h"
+#include "tb/show/level.h"
+#include "tb/view/map_picture.h"
+
+namespace racebeam {
+
+namespace {
+
+std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
+  const bool maps = !plan.overlays.empty();
+  if (plan.level == LevelTlm)
+    return std::make_unique<TlmBench>(
+        TlmBench::Options{plan.k, true, plan.checksums(), sound, plan.show.program(), maps});
+  return std::make_unique<SignalBench>(SignalBench::Options{plan.k, true, plan.checksums(), sound,
+                                                            plan.show.program(), plan.units, maps});
+}
+
+PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {
+  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  return {fmt::format("overlay_{}_{:04}.png", map_name(kind), frame.number),
+          png_bytes(map_picture(make_map(kind, frame.intervals, raster),
+                                fmt::format("{} frame {}", plan.show.name(), frame.number)))};
+}
+
+// With what the colours mean below.
+PictureFile difference_file(int frame, const GoldenPicture& difference) {
+  constexpr int Height = 20, Square = 12, Left = 8, Words = 6, Column = 210;
+  constexpr std::pair<int, const char*> meanings[] = {
+      {60, "not as trace4"}, {15, "else not as trace2"}, {51, "else not as geometry"}};
+  RgbImage picture(difference, VisibleColumns, VisibleRows, VisibleColumns, VisibleRows + Height);
+  int left = Left;
+  for (const auto& [colour, words] : meanings) {
+    picture.fill(left, VisibleRows + 4, Square, Square, rgb_of(colour));
+    picture.text(left + Square + Words, VisibleRows + 3, words, {225, 225, 225});
+    left += Column;
+  }
+  return {fmt::format("difference_{:04}.png", frame), png_bytes(picture)};
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
+    : plan_(plan), bench_(make_bench(plan, sound)) {
+  if (!plan.vcd.empty())
+    wave_ = std::make_unique<FrameWave>(dynamic_cast<SignalBench&>(*bench_), plan.show,
+                                        Raster(plan.k.clocks_per_pixel, plan.k.speed), plan.first,
+                                        plan.vcd);
+}
+
+void FrameRenderer::finish() {
+  if (wave_) wave_->commit();
+}
+
+RenderedFrame FrameRenderer::render(int index) {
+  bench_->seek(plan_.frame(index));
+  const ChipBench::Frame frame = bench_->render();
+  RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}};
+  const bool folder = !plan_.folder.empty();
+  if (folder) {
+    rendered.files.push_back(picture_file("frame", frame.number, frame.picture.colours));
+    for (const MapKind kind : plan_.overlays)
+      rendered.files.push_back(overlay_file(plan_, kind, frame));
+  }
+  if (!plan_.compare) return rendered;
+  const GoldenReport found =
+      golden_compare(plan_.show, frame.number, plan_.k, frame.picture.colours);
+  rendered.golden = found.counts;
+  if (folder) rendered.files.push_back(difference_file(frame.number, found.difference));
+  return rendered;
+}
+
+}  // namespace racebeam

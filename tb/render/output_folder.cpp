@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/output_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <regex>
+#include <system_error>
+
+#include "tb/base/errors.h"
+#include "tb/base/output_file.h"
+#include "tb/base/whole_file.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ManifestName = "manifest.json";
+constexpr std::size_t Told = 4;  // differences in a message
+constexpr const char* Otherwise = "; name another folder with -o, or replace it: --overwrite";
+
+// Makes the folder and those above it; returns the new ones, innermost first.
+std::vector<fs::path> make_folder(const fs::path& folder) {
+  std::error_code error, ignored;
+  std::vector<fs::path> made;
+  for (fs::path level = fs::absolute(folder).lexically_normal();
+       !level.empty() && !fs::exists(level, ignored); level = level.parent_path())
+    if (level.has_filename()) made.push_back(level);
+  fs::create_directories(folder, error);
+  if (error && !fs::is_directory(folder, ignored)) {
+    for (const auto& level : made) fs::remove(level, ignored);
+    throw OutputError(folder.string(), error.value(), "");
+  }
+  return made;
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool overwrite)
+    : path_(path), what_(what), overwrite_(overwrite), made_(make_folder(path)) {
+  take();
+  std::error_code ignored;
+  if (overwrite) return;
+  if (!fs::exists(path_ / ManifestName, ignored)) {
+    for (const auto& entry : fs::directory_iterator(path_, ignored))
+      if (const std::string name = entry.path().filename(); owns(name))
+        throw UsageError(path_.string() + " has " + name + ", but no " + ManifestName +
+                         " that says how it was made" + Otherwise);
+    return;
+  }
+  before_ = whole_file(path_ / ManifestName);
+  check(what);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (!started_)
+    for (const fs::path& level : made_) fs::remove(level, ignored);
+  if (lock_ >= 0) close(lock_);
+}
+
+// The lock goes with the last process that has it open, however that ends. A file system without
+// locks has none: then nothing is said.
+void OutputFolder::take() {
+  lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(lock_);
+  throw UsageError("another render writes to " + path_.string() +
+                   "; wait until it ends, or name another folder with -o");
+}
+
+void OutputFolder::check(const Manifest& what) const {
+  std::vector<std::string> differences;
+  try {
+    differences = what.differences(before_);
+  } catch (const UsageError& error) {
+    throw UsageError(file(ManifestName) + " is in the way: " + error.what() + Otherwise);
+  }
+  if (differences.empty()) return;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(differences.size(), Told); ++i)
+    text += (i ? "; " : "") + differences[i];
+  if (differences.size() > Told)
+    text += "; and " + std::to_string(differences.size() - Told) + " more";
+  throw UsageError(path_.string() + " has frames of another render: " + text + Otherwise);
+}
+
+void OutputFolder::start() {
+  started_ = true;
+  std::error_code ignored;
+  if (overwrite_)
+    for (const auto& entry : fs::directory_iterator(path_, ignored))
+      if (owns(entry.path().filename().string())) fs::remove(entry.path(), ignored);
+  if (before_.empty()) write_text(file(ManifestName), what_.text());
+}
+
+std::string OutputFolder::name_of(const std::string& path) const {
+  std::error_code ignored;
+  const fs::path here = fs::weakly_canonical(fs::absolute(path_), ignored);
+  return fs::weakly_canonical(fs::absolute(path), ignored).lexically_proximate(here).string();
+}
+
+void OutputFolder::write(Manifest manifest) const {
+  if (!before_.empty()) manifest.add_earlier(before_);
+  write_text(file(ManifestName), manifest.text());
+}
+
+void OutputFolder::abandon() const {
+  std::error_code ignored;
+  if (before_.empty()) fs::remove(path_ / ManifestName, ignored);
+}
+
+bool OutputFolder::owns(const std::string& name) {
+  static const std::regex own(
+      R"(manifest\.json|stats\.json|(frame|difference|overlay_[a-z]+)_[0-9]+\.png)");
+  return std::regex_match(name, own);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/render_golden.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include "sc/base/constants.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/progress.h"
+#include "tb/render/frame_sequence.h"
+#include "tb/render/render_files.h"
+#include "tb/report/golden_json.h"
+#include "tb/show/demo_parts.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* Row = "{:>5}  {:<32} {:>10}  {:<8}\n";
+
+RenderedFrame render_frame(const RenderPlan& plan, int index) {
+  RenderedFrame rendered;
+  const int frame = rendered.number = plan.frame(index);
+  VgaFrame& picture = rendered.picture;
+  picture.colours = golden_picture(*plan.tracer, plan.show.golden_world(frame, plan.k),
+                                   plan.show.golden_camera(frame));
+  picture.image_crc = static_cast<std::uint32_t>(
+      crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));
+  if (!plan.folder.empty()) rendered.files.push_back(picture_file("frame", frame, picture.colours));
+  return rendered;
+}
+
+// Stretches of one colour in a picture: no chip gets by with fewer intervals.
+int stretches(const VgaFrame& picture) {
+  int count = 0;
+  for (int row = 0; row < VisibleRows; ++row)
+    for (int column = 0; column < VisibleColumns; ++column) {
+      const std::size_t at = static_cast<std::size_t>(row) * VisibleColumns + column;
+      if (column == 0 || picture.colours[at] != picture.colours[at - 1]) ++count;
+    }
+  return count;
+}
+
+// Renders the planned frames; ends early when interrupted.
+void render_frames(const RenderPlan& plan, FrameSequence& frames, RenderFiles& files,
+                   GoldenFrames& report) {
+  Progress progress(plan.frames);
+  progress.draw(0, 0);
+  if (!plan.json) print(fmt::format(Row, "frame", "part", "intervals", "image"));
+  for (int i = 0; i < plan.frames && !interrupted(); ++i) {
+    const std::optional<RenderedFrame> frame = frames.next();
+    if (!frame) break;
+    const std::string part = plan.show.part(frame->number);
+    files.add(*frame, part);
+    report.add(frame->number, part, frame->picture, plan.crc);
+    progress.clear();
+    if (!plan.json)
+      print(fmt::format(Row, frame->number, part, stretches(frame->picture),
+                        fmt::format("{:08x}", frame->picture.image_crc)));
+    progress.draw(i + 1, 0);
+  }
+  progress.clear();
+}
+
+}  // namespace
+
+int render_golden(const RenderPlan& plan) {
+  RenderFiles files(plan, plan.manifest());
+  GoldenFrames report(plan.show.name(), golden_tracer_names()[static_cast<int>(*plan.tracer)],
+                      plan.k);
+  FrameSequence frames(plan.jobs, plan.frames, [&]() -> FrameSequence::Render {
+    return [&](int index) { return render_frame(plan, index); };
+  });
+  files.run([&] { render_frames(plan, frames, files, report); }, nullptr,
+            [&] { return report.text(); });
+  if (plan.json) print(report.text());
+  const bool whole = report.frames() == plan.frames;
+  tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
+  return whole ? ExitGood : ExitInterrupted;
+}
+
+}  // namespace racebeam

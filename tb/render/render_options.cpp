@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/render_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+#include "sc/swap/rtl_remarks.h"
+#include "tb/base/console.h"
+#include "tb/base/content_hash.h"
+#include "tb/base/nearest.h"
+#include "tb/base/output_file.h"
+#include "tb/base/whole_file.h"
+#include "tb/render/output_folder.h"
+#include "tb/show/level.h"
+#include "tb/show/open_show.h"
+#include "tb/show/set_knob.h"
+#include "tb/twin/use_option.h"
+#include "tb/verilate/source_list.h"
+#include "tb/wave/wave_file.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* DefaultFolder = "racebeam_out";
+constexpr int MaxSheetFrames = 120;  // a sheet of 2500 x 8000 pixels
+constexpr int MaxGifScale = 8;
+constexpr int MaxJobs = 256;
+constexpr int SoundClocksPerPixel = 2;
+
+int checked(const char* option, long long value, long long min, long long max, const char* why) {
+  if (value < min || value > max)
+    throw UsageError(
+        fmt::format("{} {} is out of range; {}: {}..{}", option, value, why, min, max));
+  return static_cast<int>(value);
+}
+
+void check_known(const std::string& kind, const std::string& name,
+                 const std::vector<std::string>& known) {
+  for (const std::string& one : known)
+    if (one == name) return;
+  throw unknown_name(kind, name, known);
+}
+
+// "slack,cost" and more of them.
+std::vector<MapKind> maps_of(const std::vector<std::string>& overlays) {
+  std::vector<std::string> known;
+  for (const MapKind kind : MapKinds) known.push_back(map_name(kind));
+  std::vector<MapKind> maps;
+  for (const std::string& names : overlays) {
+    std::istringstream parts(names);
+    for (std::string name; std::getline(parts, name, ',');) {
+      check_known("overlay", name, known);
+      const MapKind kind = MapKinds[std::find(known.begin(), known.end(), name) - known.begin()];
+      if (std::find(maps.begin(), maps.end(), kind) == maps.end()) maps.push_back(kind);
+    }
+  }
+  return maps;
+}
+
+constexpr const char* Compare = "compare";
+
+std::optional<GoldenTracer> tracer_of(const std::string& name) {
+  if (name.empty() || name == Compare) return {};
+  const auto& tracers = golden_tracer_names();
+  std::vector<std::string> known = tracers;
+  known.push_back(Compare);
+  check_known("golden tracer", name, known);
+  return static_cast<GoldenTracer>(std::find(tracers.begin(), tracers.end(), name) -
+                                   tracers.begin());
+}
+
+// A name may have no extension, but not one of another format.
+void check_extension(const char* option, const std::string& path, const char* extension) {
+  const std::string own = extension_of(path);
+  if (!own.empty() && own != extension)
+    throw UsageError(fmt::format("{} writes {}; rename {}", option, extension, path));
+}
+
+// Sound and pictures that would come out wrong.
+void check_outputs(const OutputPlan& plan) {
+  if (!plan.wav.empty() && plan.every != 1)
+    throw UsageError("--wav needs consecutive frames; leave out --every, or --wav");
+  if (!plan.sheet.empty() && plan.frames > MaxSheetFrames)
+    throw UsageError(
+        fmt::format("--sheet holds up to {} frames, not {}; use fewer --frames and "
+                    "a larger --every",
+                    MaxSheetFrames, plan.frames));
+  check_extension("--gif", plan.gif, ".gif");
+  check_extension("--wav", plan.wav, ".wav");
+  check_extension("--sheet", plan.sheet, ".png");
+  check_extension("--stats", plan.stats, ".json");
+}
+
+// RTL has pins, and waveforms have wires: both need a chip that is wired.
+std::string chosen_level(const RenderOptions& options) {
+  const bool wired = !options.units.empty() || !options.vcd.empty();
+  if (options.level.empty()) return wired ? LevelSignal : LevelTlm;
+  check_known("level", options.level, {LevelTlm, LevelSignal});
+  if (options.level == LevelTlm && !options.units.empty())
+    throw UsageError(
+        "--use puts RTL between the wires of --level signal; tlm has none: leave out "
+        "--level tlm, or --use");
+  if (options.level == LevelTlm && !options.vcd.empty())
+    throw UsageError(
+        "--vcd shows the wires of --level signal; leave out --level tlm, or see `racebeam trace "
+        "--level tlm`");
+  return options.level;
+}
+
+// What a waveform of whole frames needs.
+void check_wave(const RenderPlan& plan) {
+  if (plan.vcd.empty()) return;
+  check_waveform_name(plan.vcd);
+  if (plan.tracer) throw UsageError("--vcd needs the chip; leave out --golden, or --vcd");
+  if (plan.every != 1 || plan.jobs != 1 || plan.first + plan.frames > plan.show.frames())
+    throw UsageError(
+        "--vcd needs consecutive frames up to the end of the show, in one process; leave out "
+        "--every and --jobs, or --vcd");
+}
+
+// What several processes cannot do.
+void check_jobs(const RenderPlan& plan) {
+  if (plan.jobs == 1) return;
+  for (const auto& [unit, choice] : plan.units.by_unit)
+    if (choice.lockstep)
+      throw UsageError("a comparison in lockstep runs in one process; leave out --jobs, or use " +
+                       unit + "=rtl");
+}
+
+// What only the chip's own sound can do.
+void check_sound(const RenderPlan& plan) {
+  if (!plan.wav.empty() && plan.tracer)
+    throw UsageError("--wav needs the chip; leave out --golden, or --wav");
+  if (!plan.wav.empty() && plan.k.clocks_per_pixel != SoundClocksPerPixel)
+    throw UsageError(
+        fmt::format("--wav needs clocks_per_pixel={}: the sound is clocked by the "
+                    "beam; leave out --wav, or the knob",
+                    SoundClocksPerPixel));
+}
+
+// A reference of other frames would compare nothing.
+void check_against(const OutputPlan& plan, int frames) {
+  for (int i = 0; i < plan.frames; ++i)
+    if (plan.against->find(
+            static_cast<int>((plan.first + static_cast<long long>(i) * plan.every) % frames)))
+      return;
+  throw UsageError(fmt::format("--against {} has none of these frames; it has {}",
+                               plan.against->name(), plan.against->extent()));
+}
+
+// No file may overwrite another, or one that the folder gets anyway.
+void check_distinct(const OutputPlan& plan) {
+  const auto real = [](const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(path), ignored);
+  };
+  std::set<fs::path> seen;
+  for (const std::string& path : {plan.gif, plan.wav, plan.sheet, plan.stats, plan.vcd}) {
+    if (path.empty() || fs::is_other(path)) continue;
+    const fs::path file = real(path);
+    if (!seen.insert(file).second)
+      throw UsageError(path + " is named for two outputs; give each its own file");
+    if (plan.folder.empty() || file.parent_path() != real(plan.folder)) continue;
+    const std::string name = file.filename().string();
+    const bool same_stats = name == "stats.json" && path == plan.stats;
+    if (OutputFolder::owns(name) && !same_stats)
+      throw UsageError(path + " is a name that the folder " + plan.folder +
+                       " needs itself; choose another");
+  }
+}
+
+// What stands in the units' places, as `--use` says it: "stacks=rtl,scene=lockstep:a.sv+b.sv".
+std::map<std::string, ManifestUnit> units_of(const RenderPlan& plan,
+                                             const std::vector<std::string>& uses) {
+  std::map<std::string, ManifestUnit> units;
+  for (const auto& [name, choice] : plan.units.by_unit)
+    if (choice.lockstep || choice.driver == unit_choice::Rtl)
+      units[name].implementation = choice.lockstep ? "lockstep" : "rtl";
+  for (const std::string& text : uses) {
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) {
+      const auto equals = word.find('=');
+      const auto unit = units.find(word.substr(0, equals));
+      if (equals == std::string::npos || unit == units.end()) continue;
+      const auto start = word.find("lockstep:") == equals + 1 ? word.find(':') : equals;
+      unit->second.files.clear();
+      const std::string text = word.substr(start + 1);
+      if (!is_source_list(text) && fs::path(text).extension() != ".so") continue;
+      for (const std::string& file :
+           is_source_list(text) ? files_of_list(unit->first, text) : std::vector{text}) {
+        std::error_code ignored;
+        if (fs::is_regular_file(file, ignored))
+          unit->second.files[nearer_path(file)] = content_hash(whole_file(file));
+      }
+    }
+  }
+  return units;
+}
+
+// Frames beyond the last one are those from the start.
+void tell_of_wrap(const RenderPlan& plan) {
+  const long long last = plan.first + (plan.frames - 1LL) * plan.every;
+  if (last >= plan.show.frames())
+    tell(fmt::format("the show has frames 0..{} and starts again: the last one is frame {}",
+                     plan.show.frames() - 1, plan.frame(plan.frames - 1)));
+}
+
+}  // namespace
+
+int RenderPlan::frame(int index) const {
+  return static_cast<int>((first + static_cast<long long>(index) * every) % show.frames());
+}
+
+Manifest RenderPlan::manifest() const {
+  Manifest manifest;
+  manifest.scene = show.name();
+  manifest.scene_hash = show.hash();
+  manifest.level = level;
+  manifest.k = k;
+  manifest.units = unit_files;
+  return manifest;
+}
+
+OutputPlan plan_output(const RenderOptions& options, int frames) {
+  const int last = frames - 1;
+  OutputPlan plan{
+      checked("--frames", options.frames, 1, frames, "frames to render"),
+      checked("--first", options.first, 0, last, "the scene has the frames"),
+      checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
+      checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
+      checked("--jobs", options.jobs, 1, MaxJobs, "processes"),
+      options.folder,
+      options.gif,
+      options.wav,
+      options.sheet,
+      options.stats,
+      options.crc,
+      options.json,
+      options.command};
+  plan.vcd = options.vcd;
+  plan.overwrite = options.overwrite;
+  check_outputs(plan);
+  check_distinct(plan);
+  plan.overlays = maps_of(options.overlays);
+  if (!plan.overlays.empty() && (!options.project.empty() || tracer_of(options.golden)))
+    throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
+  if (!options.against.empty()) {
+    plan.against = std::make_shared<ReferenceFrames>(options.against);
+    check_against(plan, frames);
+  }
+  if ((!plan.writes() && !plan.against) || (plan.folder.empty() && !plan.overlays.empty()))
+    plan.folder = DefaultFolder;
+  return plan;
+}
+
+RenderPlan plan_render(const RenderOptions& options) {
+  if (options.scene.empty())
+    throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
+  refuse_tt_options(options);
+  const Show show = open_show(options.scene);
+  RenderPlan plan{plan_output(options, show.frames()),
+                  options.scene,
+                  show,
+                  chosen_level(options),
+                  show.standard_knobs(),
+                  tracer_of(options.golden),
+                  options.golden == Compare,
+                  {}};
+  tell_of_wrap(plan);
+  if (plan.tracer) plan.level = "golden " + options.golden;
+  set_knobs(plan.k, options.assignments);
+  if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
+  const UseOption use(plan.k, show.program());
+  for (const std::string& choice : options.units) use.use(plan.units, choice);
+  plan.unit_files = units_of(plan, options.units);
+  if (plan.tracer && !plan.units.by_unit.empty())
+    throw UsageError("--use needs the chip; leave out --golden, or --use");
+  if (plan.tracer && plan.against)
+    throw UsageError("--against needs the chip; leave out --golden, or --against");
+  check_sound(plan);
+  check_wave(plan);
+  check_jobs(plan);
+  return plan;
+}
+
+}  // namespace racebeam

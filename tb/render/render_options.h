@@ -1,0 +1,83 @@
+// What `racebeam render` was asked for, and what it will do.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sc/base/knobs.h"
+#include "sc/base/unit_choices.h"
+#include "tb/golden/golden_picture.h"
+#include "tb/judge/reference_frames.h"
+#include "tb/report/manifest.h"
+#include "tb/show/show.h"
+#include "tb/tt/tt_options.h"
+#include "tb/view/frame_maps.h"
+
+namespace racebeam {
+
+/// The command line as it was written. An empty path: not asked for.
+struct RenderOptions : TtOptions {
+  std::string scene;
+  std::string level;  ///< empty: signal with units, else tlm
+  long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
+  std::vector<std::string> assignments;  ///< knob=value
+  std::vector<std::string> units;        ///< unit=implementation
+  std::string folder, gif, wav, sheet, stats;
+  std::string vcd;                    ///< waveform
+  std::vector<std::string> overlays;  ///< names of maps
+  std::string golden;                 ///< a golden tracer, "compare", or empty
+  std::string against;                ///< a reference to compare with, or empty
+  bool crc = false, json = false;
+  bool overwrite = false;            ///< the folder may have frames of another render
+  std::vector<std::string> command;  ///< for the manifest
+};
+
+/// Which frames, and what is written about them. Every number is in its range.
+struct OutputPlan {
+  int frames, first, every, gif_scale, jobs;
+  std::string folder, gif, wav, sheet, stats;
+  bool crc, json;
+  std::vector<std::string> command;
+  std::vector<MapKind> overlays{};                   ///< into the folder, for each frame
+  std::string vcd{};                                 ///< of the chip's ports and wires, or empty
+  bool overwrite = false;                            ///< what the folder has of another render
+  std::shared_ptr<const ReferenceFrames> against{};  ///< what the frames must equal, or nothing
+
+  /// Checksums are computed.
+  bool checksums() const { return crc || against; }
+  /// Some file is.
+  bool writes() const { return !(folder + gif + wav + sheet + stats + vcd).empty(); }
+  double frames_per_second = 60;  ///< of the chip
+};
+
+/// The chip of this project, or a golden tracer, and a show.
+struct RenderPlan : OutputPlan {
+  std::string scene;  ///< as it was named
+  Show show;
+  std::string level;
+  knobs k;
+  std::optional<GoldenTracer> tracer;  ///< renders instead of the chip
+  bool compare;                        ///< the chip with the golden tracers
+  unit_choices units;
+  std::map<std::string, ManifestUnit> unit_files{};  ///< what they are made of
+
+  /// Number of the `index`-th frame; the show loops.
+  int frame(int index) const;
+  /// What it is about.
+  Manifest manifest() const;
+};
+
+/// `frames`: there are so many. Without any file asked for, the folder is "racebeam_out", unless
+/// the frames are compared with a reference. Throws UsageError.
+OutputPlan plan_output(const RenderOptions& options, int frames);
+
+/// Throws UsageError for whatever cannot be done.
+RenderPlan plan_render(const RenderOptions& options);
+
+}  // namespace racebeam

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/rendered_frame.h"
+
+#include <fmt/format.h>
+
+#include "tb/base/byte_stream.h"
+#include "tb/picture/image_files.h"
+
+namespace racebeam {
+
+namespace {
+
+/// The one list of what crosses the pipe, written or read.
+template <class Frame, class Field>
+void each_field(Frame& frame, const Field& field) {
+  field(frame.number);
+  field(frame.picture.index);
+  field(frame.picture.width);
+  field(frame.picture.height);
+  field(frame.picture.colours);
+  field(frame.picture.image_crc);
+  field(frame.picture.pins_crc);
+  field(frame.stats.counters());
+  field(frame.stats.camera_clocks);
+  field(frame.stats.first_emit);
+  field(frame.stats.done_clock);
+  field(frame.stats.busy_clocks);
+}
+
+}  // namespace
+
+PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours,
+                         int width, int height) {
+  return {fmt::format("{}_{:04}.png", kind, frame), png_bytes(colours, width, height)};
+}
+
+std::string RenderedFrame::bytes() const {
+  ByteWriter to;
+  each_field(*this, [&](const auto& value) { to.put(value); });
+  to.put(golden.has_value());
+  if (golden) {
+    to.put(golden->by_tracer);
+    to.put(golden->by_cause);
+  }
+  to.put(files.size());
+  for (const PictureFile& file : files) {
+    to.put(file.name);
+    to.put(file.bytes);
+  }
+  return to.bytes();
+}
+
+RenderedFrame RenderedFrame::of_bytes(const std::string& bytes) {
+  ByteReader from(bytes);
+  RenderedFrame frame;
+  each_field(frame, [&](auto& value) { from.get(value); });
+  bool compared = false;
+  from.get(compared);
+  if (compared) {
+    frame.golden.emplace();
+    from.get(frame.golden->by_tracer);
+    from.get(frame.golden->by_cause);
+  }
+  std::size_t count = 0;
+  from.get(count);
+  frame.files.resize(count);
+  for (PictureFile& file : frame.files) {
+    from.get(file.name);
+    from.get(file.bytes);
+  }
+  return frame;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/report/scene_notes.h"
+
+#include <utility>
+
+#include "tb/bench/core_bench.h"
+
+namespace racebeam {
+
+void FrameCounter::add(int frame, std::uint64_t value) {
+  sum += value;
+  if (value <= worst) return;
+  worst = value;
+  worst_frame = frame;
+}
+
+SceneNotes::SceneNotes(Show show) : show_(std::move(show)), estimate_(estimate_worst_line(show_)) {}
+
+void SceneNotes::add(int frame) {
+  const knobs k = show_.standard_knobs();
+  const CoreBench::Frame chip = CoreBench(k, frame, show_.program()).render();
+  frames_.push_back(frame);
+  lines_.add(frame, chip.stats);
+  restarts_.add(frame, chip.stats.restarts);
+  starved_pixels_.add(frame, chip.stats.starved_pixels);
+  give_ups_.add(frame, chip.stats.give_ups);
+  golden_ += golden_compare(show_, frame, k, chip.colours).counts;
+}
+
+}  // namespace racebeam

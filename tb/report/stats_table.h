@@ -1,0 +1,29 @@
+// The table that `racebeam render` prints: one row per frame.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sc/beam/frame_stats.h"
+#include "tb/monitor/vga_monitor.h"
+#include "tb/report/stats_json.h"
+
+namespace racebeam {
+
+/// Titles of the columns; with the CRCs if `crc`, with the pixels that differ from trace_4 if
+/// `golden`.
+std::string table_header(bool crc, bool golden = false);
+std::string table_row(int frame, const std::string& part, const FrameStats& stats,
+                      const VgaFrame& picture, bool crc,
+                      const std::optional<GoldenCounts>& golden = {});
+/// The sums over all frames.
+std::string table_total(const StatsReport& report);
+
+/// Of a comparison: pixels that differ from each tracer, and why; what the colours of
+/// difference_NNNN.png mean.
+std::string golden_table(const GoldenCounts& counts);
+
+}  // namespace racebeam

@@ -1,0 +1,21 @@
+// Knobs from the command line: "name=value".
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sc/base/knobs.h"
+
+namespace racebeam {
+
+/// Sets one knob from "name=value". Throws UsageError, which names the nearest knob or the range.
+void set_knob(knobs& k, const std::string& assignment);
+
+/// Sets all of them. max_room_depth gets the value that counts, and it is told if that is less.
+/// Throws UsageError.
+void set_knobs(knobs& k, const std::vector<std::string>& assignments);
+
+}  // namespace racebeam

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/speed/chip_rows.h"
+
+#include <iterator>
+#include <memory>
+
+#include "tb/base/spread_frames.h"
+#include "tb/bench/signal_bench.h"
+#include "tb/bench/tlm_bench.h"
+#include "tb/speed/own_process.h"
+#include "tb/tt/tt_chip.h"
+#include "tb/tt/tt_project.h"
+#include "tb/twin/plugin_maker.h"
+#include "tb/verilate/project_folder.h"
+
+namespace racebeam {
+
+namespace {
+
+// The seven parts of the demo (contract 17.7): name and a frame in the thick of it.
+struct PartRow {
+  const char* name;
+  int first_frame;
+};
+constexpr PartRow part_rows[] = {
+    {"pillars", 1000}, {"ray pattern", 2500}, {"tunnel", 5000},          {"heights, open", 7200},
+    {"twisted", 8960}, {"portals", 11000},    {"tunnel, narrow", 12500},
+};
+constexpr int MixFrame = 5000;  // tunnel
+
+void register_frames(const std::string& name, const std::shared_ptr<ChipBench>& bench, int first,
+                     const Effort& effort) {
+  set_up(benchmark::RegisterBenchmark(
+             name.c_str(),
+             [bench, first, frames = effort.frames](benchmark::State& state) {
+               const auto before = bench->clocks();
+               bench->seek(first);
+               for (auto _ : state)
+                 for (int f = 0; f < frames; ++f) bench->render();
+               state.counters["clocks"] = benchmark::Counter(
+                   static_cast<double>(bench->clocks() - before), benchmark::Counter::kIsRate);
+             }),
+         effort.repeats);
+}
+
+struct KernelUnit : sc_core::sc_module {
+  static constexpr int Wires = 4;
+  in_port<1> clk_i{"clk_i"};
+  wire<32> out[Wires];
+  const KernelUnit* from = nullptr;
+
+  explicit KernelUnit(const sc_core::sc_module_name& name) : sc_module(name) {
+    SC_HAS_PROCESS(KernelUnit);
+    SC_METHOD(seq);
+    sensitive << clk_i.pos();
+    dont_initialize();
+  }
+  void seq() {
+    for (int i = 0; i < Wires; ++i) out[i].write(from->out[i].read() + 2 * i + 1);
+  }
+};
+
+}  // namespace
+
+void register_kernel(int repeats) {
+  constexpr int Units = 8, Edges = 2'000'000;
+  auto clk = std::make_shared<sc_core::sc_clock>("clk", sc_core::sc_time(1, sc_core::SC_NS));
+  auto units = std::make_shared<std::vector<std::unique_ptr<KernelUnit>>>();
+  for (int i = 0; i < Units; ++i) {
+    units->push_back(std::make_unique<KernelUnit>(("unit" + std::to_string(i)).c_str()));
+    units->back()->clk_i(*clk);
+  }
+  for (int i = 0; i < Units; ++i) (*units)[i]->from = (*units)[(i + 1) % Units].get();
+  set_up(benchmark::RegisterBenchmark(
+             "kernel: 8 modules 32 signals",
+             [clk, units](benchmark::State& state) {
+               for (auto _ : state) sc_core::sc_start(sc_core::sc_time(Edges, sc_core::SC_NS));
+               state.counters["clocks"] = benchmark::Counter(Edges, benchmark::Counter::kIsRate);
+             }),
+         repeats);
+}
+
+void register_parts(const Effort& effort) {
+  const auto bench = std::make_shared<SignalBench>(SignalBench::Options{});
+  for (const auto& part : part_rows)
+    register_frames(std::string("signal: ") + part.name, bench, part.first_frame, effort);
+}
+
+int part_count() { return static_cast<int>(std::size(part_rows)); }
+
+void register_tlm_parts(const Effort& effort) {
+  const auto bench = std::make_shared<TlmBench>(TlmBench::Options{});
+  for (const auto& part : part_rows)
+    register_frames(std::string("tlm: ") + part.name, bench, part.first_frame, effort);
+  constexpr int Samples = 100;
+  set_up(benchmark::RegisterBenchmark(
+             "tlm: all over the demo",
+             [bench](benchmark::State& state) {
+               for (auto _ : state)
+                 for (const int frame : spread_frames(DemoFrames, Samples)) {
+                   state.PauseTiming();
+                   bench->seek(frame);
+                   state.ResumeTiming();
+                   bench->render();
+                 }
+               state.counters["clocks"] = benchmark::Counter(
+                   Samples * double(Raster().frame_clocks()), benchmark::Counter::kIsRate);
+             }),
+         effort.repeats);
+}
+
+void register_verilated(int repeats) {
+  const TtProject project = read_tt_project(rtl_folder());
+  const auto chip = std::make_shared<TtChip>(make_chip_plugin(project.top, project.sources),
+                                             project.source_folder, TilePins{});
+  chip->reset(1);
+  set_up(benchmark::RegisterBenchmark("verilated: tt_um_racebeam",
+                                      [chip](benchmark::State& state) {
+                                        const int clocks = Raster().frame_clocks();
+                                        std::vector<PinChange> changes;
+                                        for (auto _ : state) chip->run(clocks, changes);
+                                        state.counters["clocks"] =
+                                            benchmark::Counter(clocks, benchmark::Counter::kIsRate);
+                                      }),
+         repeats);
+}
+
+std::vector<ChipMix> chip_mixes() {
+  const PluginMaker plugins({}, nullptr);
+  std::vector<ChipMix> mixes = {{"all models", {}}};
+  ChipMix all_rtl{"all RTL", {}}, all_lockstep{"all in lockstep", {}};
+  for (const std::string& unit : chip_units(false)) {
+    const std::string plugin = plugins.own(unit);
+    const unit_choice rtl{unit_choice::Rtl, false, plugin};
+    const unit_choice lockstep{unit_choice::Model, true, plugin};
+    mixes.push_back({unit + " RTL", {{{unit, rtl}}}});
+    all_rtl.units.by_unit[unit] = rtl;
+    all_lockstep.units.by_unit[unit] = lockstep;
+  }
+  mixes.push_back(all_rtl);
+  mixes.push_back(all_lockstep);
+  return mixes;
+}
+
+void register_mix(const ChipMix& mix, const Effort& effort) {
+  const SignalBench::Options chip{{}, false, false, false, nullptr, mix.units};
+  register_frames("mix: " + mix.name, std::make_shared<SignalBench>(chip), MixFrame, effort);
+}
+
+}  // namespace racebeam

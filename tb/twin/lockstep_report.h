@@ -1,0 +1,49 @@
+// What came out of a run with units in lockstep.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/monitor/raster.h"
+#include "tb/twin/lockstep.h"
+
+namespace racebeam {
+
+/// Where a compared clock lies in a run of whole frames.
+struct BeamPlace {
+  int frame, line, clock;
+};
+
+/// `clock` counts from the one in reset that precedes the first of `frames`.
+BeamPlace place_of(std::uint64_t clock, const std::vector<int>& frames, const Raster& raster);
+
+/// "frame 7, line -3, clock 400, pixel 40"; a pixel only where one is shown.
+std::string place_text(const BeamPlace& place, const Raster& raster);
+
+/// "default", or the knobs that are not.
+std::string knobs_text(const knobs& k);
+
+/// What goes with a difference.
+struct DifferenceContext {
+  std::string where;   ///< "in frame 7, ...", or "of random traffic"
+  std::string repeat;  ///< the command that shows it again
+  std::string closer;  ///< the command that traces all signals around it; empty: none
+  std::string window;  ///< file of the waveform; empty: none
+  knobs k;
+};
+
+/// A command that traces all signals around a difference in `frame`. `rest`: --use and --set as
+/// they were given.
+std::string trace_command(const std::string& scene, int frame, const std::string& unit,
+                          const std::string& rest);
+
+/// The first difference explained: unit, port, place, values, the clocks of both sides, knobs,
+/// and for racebeam_top whether a unit or the wiring is at fault.
+std::string explain(const LockstepDifference& difference, const DifferenceContext& context);
+/// That on stderr, in colours if it is to have them.
+void tell_difference(const std::string& explanation);
+
+}  // namespace racebeam

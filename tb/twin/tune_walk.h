@@ -1,0 +1,40 @@
+// TuneWalk: pwm_sound through its whole tune.
+//
+// What sounds is a function of the frame, and random traffic sees few of the 1,600 steps. Here each
+// step of the tune plays for one sample: its first, its last, or any other.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "sc/beam/tune.h"
+#include "tb/twin/unit_bench.h"
+
+namespace racebeam {
+
+class TuneWalk {
+ public:
+  static constexpr int SampleClocks = 800;
+  static constexpr int Steps = tune::Measures * tune::MeasureSteps;
+  /// The last sample is heard while the next one is made.
+  static constexpr std::uint64_t Clocks = static_cast<std::uint64_t>(Steps + 1) * SampleClocks;
+
+  /// For pwm_sound on `bench`; the same seed makes the same traffic.
+  TuneWalk(UnitBench& bench, unsigned seed) : bench_(bench), random_(seed) {}
+
+  /// New values for the next clock.
+  void next();
+
+ private:
+  void next_step(int step);
+  int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
+
+  UnitBench& bench_;
+  std::mt19937 random_;
+  int clock_ = 0;
+};
+
+}  // namespace racebeam

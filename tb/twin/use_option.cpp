@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/twin/use_option.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "sc/swap/rtl_library.h"
+#include "sc/swap/rtl_remarks.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/nearest.h"
+#include "tb/verilate/source_list.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* All = "all";
+constexpr const char* Beside = "lockstep:";  ///< before a file
+
+/// Nothing but pins is set: racebeam_top has no parameters.
+bool is_taped_out(const knobs& k) {
+  const knobs chip;
+  for (const auto& row : knob_table())
+    if (row.member != &knobs::speed && row.member != &knobs::interlace &&
+        k.*row.member != chip.*row.member)
+      return false;
+  return true;
+}
+
+/// Says what the contract does not know.
+std::string checked(const std::string& plugin) {
+  for (const std::string& place : remarks_of(rtl_library(plugin).model(), "falling"))
+    tell("warning: " + place +
+         " changes on the falling edge of the clock; half a clock is not the contract");
+  return plugin;
+}
+
+}  // namespace
+
+UseOption::UseOption(const knobs& k, const scene_program* program, bool traced)
+    : scene_file_(program != nullptr),
+      wired_(!program && is_taped_out(k)),
+      plugins_(k, program, traced) {}
+
+void UseOption::check_unit(const std::string& unit) const {
+  std::vector<std::string> known = chip_units(scene_file_);
+  if (std::find(known.begin(), known.end(), unit) != known.end()) return;
+  for (const std::string& other : chip_units(!scene_file_)) {
+    if (other != unit) continue;
+    for (const std::string& here : known)
+      if (instance_of(here) == instance_of(unit))
+        throw UsageError(unit + " is not in this chip: " +
+                         (scene_file_ ? "a scene file has " : "the built-in demo has ") + here +
+                         " in its place");
+  }
+  known.push_back(All);
+  throw unknown_name("unit", unit, known);
+}
+
+unit_choice UseOption::choice_of(const std::string& unit, const std::string& text) const {
+  if (text == "model") return {};
+  if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit)};
+  if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit)};
+  const bool beside = text.rfind(Beside, 0) == 0;
+  const std::string file = beside ? text.substr(std::string(Beside).size()) : text;
+  if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
+    return {beside ? unit_choice::Model : unit_choice::Rtl, beside,
+            checked(plugins_.users(unit, file))};
+  throw unknown_name("implementation", text,
+                     {"model", "rtl", "lockstep", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
+                      "FILE.so", "lockstep:FILE.sv"});
+}
+
+void UseOption::use_one(unit_choices& choices, const std::string& text) const {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+    throw UsageError("'" + text +
+                     "' is not of the form UNIT=model, UNIT=rtl, UNIT=lockstep or "
+                     "UNIT=FILE.sv");
+  const std::string unit = text.substr(0, equals), how = text.substr(equals + 1);
+  if (unit != All) {
+    if (unit == WholeChip) check_whole_chip(how);
+    else check_unit(unit);
+    choices.by_unit[unit] = choice_of(unit, how);
+    return;
+  }
+  if (how != "model" && how != "rtl" && how != "lockstep")
+    throw UsageError("all=" + how + ": all units can be model, rtl or lockstep; a file is for one");
+  for (const std::string& each : chip_units(scene_file_))
+    choices.by_unit[each] = choice_of(each, how);
+  if (how == "lockstep" && wired_) choices.by_unit[WholeChip] = choice_of(WholeChip, how);
+}
+
+void UseOption::check_whole_chip(const std::string& how) const {
+  if (how == "model" || how == "rtl")
+    throw UsageError(std::string(WholeChip) +
+                     " is all units in RTL and their wires: it runs beside the chip only, as "
+                     "racebeam_top=lockstep; for RTL in the chip write all=rtl");
+  if (!wired_)
+    throw UsageError(
+        std::string(WholeChip) +
+        " is the taped-out chip with its own demo; leave out the scene file and --set");
+}
+
+void UseOption::use(unit_choices& choices, const std::string& text) const {
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) use_one(choices, part);
+}
+
+void UseOption::lockstep(unit_choices& choices, const std::string& text) const {
+  if (text.find('=') == std::string::npos) return use_one(choices, text + "=lockstep");
+  use_one(choices, text);
+  unit_choice& choice = choices.by_unit[text.substr(0, text.find('='))];
+  choice = {unit_choice::Model, true, choice.plugin};
+}
+
+}  // namespace racebeam

@@ -1,0 +1,42 @@
+// `--use UNIT=IMPLEMENTATION,...`: which units of the chip are models, RTL, or both.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "sc/base/unit_choices.h"
+#include "tb/twin/plugin_maker.h"
+
+namespace racebeam {
+
+/// Reads choices for one chip.
+class UseOption {
+ public:
+  /// A chip with the knobs `k` that shows `program`; nullptr: the built-in demo.
+  /// `traced`: signals inside the RTL can be read.
+  UseOption(const knobs& k, const scene_program* program, bool traced = false);
+
+  /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
+  /// "stacks=mine.f", "stacks=mine.so", or several with commas between; later ones replace earlier
+  /// ones. SystemVerilog is verilated here. Throws UsageError, RtlError, MissingTool.
+  void use(unit_choices& choices, const std::string& text) const;
+
+  /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. `all` has
+  /// racebeam_top too, where that is the chip. Throws as use() does.
+  void lockstep(unit_choices& choices, const std::string& text) const;
+
+ private:
+  void use_one(unit_choices& choices, const std::string& text) const;
+  unit_choice choice_of(const std::string& unit, const std::string& text) const;
+  void check_unit(const std::string& unit) const;
+
+  void check_whole_chip(const std::string& how) const;
+
+  const bool scene_file_;
+  const bool wired_;  // racebeam_top is this chip
+  const PluginMaker plugins_;
+};
+
+}  // namespace racebeam

@@ -1,9 +1,0 @@
-// SPDX-FileCopyrightText: racebeam contributors
-// SPDX-License-Identifier: Apache-2.0
-#include "tb/version.h"
-
-namespace racebeam {
-
-const char* program_version() { return RACEBEAM_VERSION; }
-
-}  // namespace racebeam

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tb/bench/core_bench.h"
+#include "tb/bench/signal_bench.h"
+#include "tb/show/set_knob.h"
+#include "tests/support/expect_stats.h"
+
+namespace racebeam {
+namespace {
+
+constexpr int CrowdedFrame = 7223;  // open heights: a frame that starves much
+
+class ChipKnobs : public testing::TestWithParam<const char*> {};
+
+// A module that sleeps on an input that a knob makes matter would differ here.
+TEST_P(ChipKnobs, WiresGiveThePinsAndCountersOfTheCores) {
+  knobs k;
+  set_knob(k, GetParam());
+  SignalBench bench({k, true, true, false});
+  for (const int frame : {CrowdedFrame, 3900, 9500}) {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    bench.seek(frame);
+    const auto got = bench.render();
+    const auto expected = CoreBench(k, frame).render();
+    EXPECT_EQ(got.picture.pins_crc, expected.pins_crc);
+    expect_equal(*got.stats, expected.stats);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs,
+                         testing::Values("interval_stack_depth=1", "interval_stack_depth=64",
+                                         "face_stack_depth=4", "max_room_depth=5", "fifo_entries=3",
+                                         "fifo_entries=64", "fifo_short_length_bits=3",
+                                         "hurry_threshold=-1", "dr_bits=8", "dr_bits=13",
+                                         "corner_bits=11", "corner_factor_bits=6",
+                                         "corner_factor_bits=12", "partial_products_cut=0",
+                                         "bisection=midpoint", "stepping=fraction", "interlace=off",
+                                         "dithering=off", "clocks_per_pixel=1",
+                                         "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7"));
+
+/// Statistics of a frame with one knob changed.
+FrameStats with(const char* setting, int frame = CrowdedFrame) {
+  knobs k;
+  set_knob(k, setting);
+  return CoreBench(k, frame).render().stats;
+}
+const FrameStats& chip() {
+  static const FrameStats stats = with("speed=0");
+  return stats;
+}
+
+TEST(KnobEffects, DeepStackNeverRestartsAndShallowStackRestartsMore) {
+  EXPECT_EQ(with("interval_stack_depth=64").restarts, 0u);
+  EXPECT_GT(with("interval_stack_depth=1").restarts, 4 * chip().restarts);
+}
+
+TEST(KnobEffects, FaceStackLimitsTheRoomDepthToOneLessThanItsEntries) {
+  EXPECT_EQ(with("face_stack_depth=4").decisions(), with("max_room_depth=3").decisions());
+  EXPECT_LT(with("max_room_depth=3").rooms_entered, chip().rooms_entered);
+}
+
+TEST(KnobEffects, DeeperRoomsNeedADeeperFaceStack) {
+  constexpr int FarView = 5555;  // tunnel
+  knobs deep;
+  deep.max_room_depth = 14;
+  EXPECT_EQ(CoreBench(deep, FarView).render().pins_crc, CoreBench({}, FarView).render().pins_crc);
+  deep.face_stack_depth = 15;
+  EXPECT_NE(CoreBench(deep, FarView).render().pins_crc, CoreBench({}, FarView).render().pins_crc);
+}
+
+TEST(KnobEffects, SmallFifoStallsTheTracerMore) {
+  EXPECT_GT(with("fifo_entries=3", 700).fifo_full_stalls,
+            with("fifo_entries=10", 700).fifo_full_stalls);
+  EXPECT_EQ(with("fifo_entries=3").fifo_fill[4], 0u);
+}
+
+TEST(KnobEffects, WithoutHurryNothingIsGivenUpAndMorePixelsStarve) {
+  EXPECT_EQ(with("hurry_threshold=-1").give_ups, 0u);
+  EXPECT_GT(with("hurry_threshold=-1").starved_pixels, chip().starved_pixels);
+}
+
+TEST(KnobEffects, SkippingSharedEdgesSavesDecisionsAndLetsNothingStarve) {
+  const FrameStats s = with("skip_shared_edges=on");
+  EXPECT_LT(s.decisions(), chip().decisions() * 3 / 4);
+  EXPECT_LT(s.starved_pixels, chip().starved_pixels / 100);
+}
+
+TEST(KnobEffects, MoreClocksPerPixelStarveLess) {
+  EXPECT_GT(with("clocks_per_pixel=1").starved_pixels, chip().starved_pixels);
+  EXPECT_EQ(with("clocks_per_pixel=4").starved_pixels, 0u);
+}
+
+}  // namespace
+}  // namespace racebeam

@@ -1,0 +1,150 @@
+// chip_lines is the chip: all registers at the end of every line, and the pixels, against
+// the cores clocked one by one.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/beam/tlm/chip_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <tuple>
+
+#include "tb/show/demo_parts.h"
+
+namespace racebeam {
+namespace {
+
+using Row = std::array<std::uint8_t, VisibleColumns>;
+
+/// The chip in a loop beside the chip in lines.
+class Pair {
+ public:
+  explicit Pair(const knobs& k, int frame = 0, chip_observer* observer = nullptr)
+      : knobs_(k), lines_({k, nullptr, false, false, observer}) {
+    chip_.clock_video(false, k);
+    seek(frame);
+  }
+  void seek(int frame) {
+    chip_.deposit(frame, knobs_);
+    lines_.deposit(frame);
+  }
+  void reset() {
+    chip_.clock_video(false, knobs_);
+    lines_.reset();
+  }
+  const chip_lines& lines() const { return lines_; }
+
+  void expect_equal_lines(int count) {
+    for (int i = 0; i < count; ++i) {
+      const int y = chip_.vga_timing.v_pos_q;
+      const Row row = clock_line();
+      lines_.run_line();
+      ASSERT_EQ(lines_.y(), y);
+      const std::string where =
+          "frame " + std::to_string(lines_.frame()) + " line " + std::to_string(y);
+      ASSERT_TRUE(same_registers()) << where;
+      ASSERT_EQ(lines_.visible(), y >= -240 && y < 240);
+      if (lines_.visible()) {
+        ASSERT_TRUE(lines_.pixels() == row) << where;
+      }
+    }
+  }
+
+ private:
+  Row clock_line() {
+    Row row{};
+    int column = 0;
+    for (bool last = false; !last;) {
+      const auto t = chip_.vga_timing.comb({true, knobs_.speed}, knobs_);
+      const int uo = chip_.clock_video(true, knobs_);
+      if (t.consume)
+        row[column++] = static_cast<std::uint8_t>(pixel_output_core::colour_of_pins(uo));
+      last = t.line_end;
+    }
+    return row;
+  }
+  bool same_registers() const {
+    const chip_core &a = chip_, &b = lines_.registers();
+    const auto timing = [](const vga_timing_core& c) {
+      return std::tie(c.h_region_q, c.h_pos_q, c.half_q, c.v_region_q, c.v_pos_q, c.vs_q);
+    };
+    const auto camera = [](const camera_unit_core& c) {
+      return std::tie(c.pass_q, c.phase_q, c.step_seen_q, c.pstage_q, c.pclk_q, c.psign_q, c.ddr_q);
+    };
+    const auto navigator = [](const navigator_core& c) {
+      return std::tie(c.nav_state_q, c.position_q, c.room_q, c.portal_q);
+    };
+    return timing(a.vga_timing) == timing(b.vga_timing) && a.frame() == b.frame() &&
+           camera(a.camera_unit) == camera(b.camera_unit) &&
+           navigator(a.navigator) == navigator(b.navigator) && a.ray_stepper == b.ray_stepper &&
+           a.subdivider == b.subdivider && a.stacks == b.stacks &&
+           a.decision_datapath == b.decision_datapath && a.interval_fifo == b.interval_fifo;
+  }
+
+  const knobs knobs_;
+  chip_core chip_;
+  chip_lines lines_;
+};
+
+class ChipLinesPart : public testing::TestWithParam<int> {};
+
+TEST_P(ChipLinesPart, HaveTheRegistersOfTheCoresAfterEveryLine) {
+  const DemoPart& part = demo_parts()[GetParam()];
+  Pair({}, part.first_frame + (part.last_frame - part.first_frame) / 3)
+      .expect_equal_lines(FrameLines);
+}
+
+INSTANTIATE_TEST_SUITE_P(Demo, ChipLinesPart,
+                         testing::Range(0, static_cast<int>(demo_parts().size())));
+
+// Minutes: run with --gtest_also_run_disabled_tests.
+TEST(ChipLines, DISABLED_HaveTheRegistersOfTheCoresInManyFrames) {
+  Pair pair({});
+  for (int i = 0; i < 500; ++i) {
+    pair.seek(static_cast<int>((2LL * i + 1) * DemoFrames / 1000));
+    ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(FrameLines));
+  }
+}
+
+// The ray pattern depends on every clock: with other pixel clocks it is another picture.
+TEST(ChipLines, HaveTheRegistersOfTheCoresWithKnobsWhileThePatternIsShown) {
+  for (const int speed : {0, 3, 7})
+    for (const int clocks_per_pixel : {1, 2, 5}) {
+      knobs k;
+      k.speed = speed;
+      k.clocks_per_pixel = clocks_per_pixel;
+      k.fifo_entries = 4;
+      SCOPED_TRACE(speed * 10 + clocks_per_pixel);
+      ASSERT_NO_FATAL_FAILURE(Pair(k, 3900).expect_equal_lines(120));
+    }
+}
+
+TEST(ChipLines, RunOnOverTheEndsOfFrames) {
+  Pair pair({}, 2303);
+  ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(2 * FrameLines + 100));
+}
+
+// Frame 12799 lasts one clock.
+TEST(ChipLines, RunOnFromTheEndOfTheDemoToItsBeginning) {
+  Pair pair({}, DemoFrames - 1);
+  ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(FrameLines));
+  EXPECT_EQ(pair.lines().next_frame(), 0);
+  ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(2 * FrameLines));
+  EXPECT_EQ(pair.lines().next_frame(), 2);
+}
+
+TEST(ChipLines, ResetStartsTheDemoAnew) {
+  Pair pair({}, 5000);
+  for (const int lines : {1, 300, FrameLines + 17}) {
+    ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(lines));
+    pair.reset();
+    EXPECT_EQ(pair.lines().next_frame(), 0);
+    EXPECT_EQ(pair.lines().next_line(), FirstLine);
+  }
+  ASSERT_NO_FATAL_FAILURE(pair.expect_equal_lines(FrameLines));
+}
+
+}  // namespace
+}  // namespace racebeam

@@ -1,0 +1,105 @@
+// Scene files on the chip: every scene of the folder, against what is independent of the cores.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sc/beam/chip_core.h"
+#include "tb/bench/signal_bench.h"
+#include "tb/golden/golden_picture.h"
+#include "tb/judge/core_renderer.h"
+#include "tb/scene/camera_path.h"
+#include "tb/scene/scene_reader.h"
+#include "tb/show/show.h"
+#include "tests/support/unlimited.h"
+
+namespace racebeam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene files, by name: "house", "chip/tunnel".
+std::vector<std::string> scene_names() {
+  const fs::path folder = fs::path(RACEBEAM_SOURCE_DIR) / "scenes";
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".toml")
+      names.push_back(fs::relative(entry.path(), folder).replace_extension().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+SceneFile scene_of(const std::string& name) {
+  SceneResult result = read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/" + name + ".toml");
+  EXPECT_TRUE(result.faults.none()) << result.faults.text(name);
+  return std::move(result.scene);
+}
+
+/// Full pattern shows the rays; partial pattern disturbs the tracer (golden_picture.h).
+bool shows_rooms(const GoldenWorld& world) { return world.lock == GoldenLock::None; }
+
+class EveryScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScene, FliesWhereTheFileSays) {
+  const SceneFile scene = scene_of(GetParam());
+  const CameraPath path = fly(scene);
+  const Show show(scene, "");
+  const knobs k = show.standard_knobs();
+  ASSERT_EQ(path.points.size(), static_cast<std::size_t>(scene.frames));
+  const int step = std::max(1, scene.frames / 300);
+  for (int frame = 0; frame < scene.frames; frame += step) {
+    const navigator_core chip = fly_to(frame, k, show.program());
+    const PathPoint& point = path.points[frame];
+    ASSERT_EQ(chip.room_q, point.room) << "frame " << frame;
+    for (int a = 0; a < 3; ++a) ASSERT_EQ(chip.position_q[a], -point.position[a]) << frame;
+  }
+}
+
+/// Compares frames evenly spread over a scene.
+void expect_chip_equals_trace_4(const std::string& scene, int samples) {
+  const Show show(scene_of(scene), "");
+  const knobs k = unlimited(show.standard_knobs());
+  int compared = 0;
+  for (int i = 0; i < samples; ++i) {
+    const int frame = static_cast<int>((2LL * i + 1) * show.frames() / (2 * samples));
+    const GoldenWorld world = show.golden_world(frame, k);
+    if (!shows_rooms(world)) continue;
+    ++compared;
+    const auto chip = core_picture(frame, k, show.program());
+    const auto golden = golden_picture(GoldenTracer::Trace4, world, show.golden_camera(frame));
+    ASSERT_EQ(golden_difference(chip, golden), 0) << "frame " << frame;
+  }
+  EXPECT_GE(compared, samples / 2);
+}
+
+TEST_P(EveryScene, WithoutLimitsIsTheIntervalTracerPixelForPixel) {
+  expect_chip_equals_trace_4(GetParam(), 5);
+}
+
+TEST_P(EveryScene, IsTheSameInSystemCAndInALoop) {
+  const Show show(scene_of(GetParam()), "");
+  const knobs k = show.standard_knobs();
+  SignalBench bench({k, false, false, false, show.program()});
+  const int frame = show.frames() / 3;
+  bench.seek(frame);
+  for (int next = frame; next < frame + 2; ++next)
+    EXPECT_EQ(bench.render().picture.colours, core_picture(next, k, show.program())) << next;
+}
+
+// Minutes: run with --gtest_also_run_disabled_tests.
+TEST(AllScenes, DISABLED_WithoutLimitsAreTheIntervalTracerInManyFrames) {
+  for (const std::string& name : scene_names()) expect_chip_equals_trace_4(name, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(scene_names()),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::replace(name.begin(), name.end(), '/', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace racebeam

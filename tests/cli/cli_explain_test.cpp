@@ -1,0 +1,143 @@
+// `racebeam explain` as a user runs it: text, JSON, mistakes.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace racebeam {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string house() { return RACEBEAM_SOURCE_DIR "/scenes/house.toml"; }
+
+TEST(CliExplain, TextTellsColourTimesIntervalWayCostAndSteps) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", "demo", "--frame", "1000", "--pixel", "320,240"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  const std::string text = program.out();
+  EXPECT_THAT(text, StartsWith("pixel      320,240 of frame 1000 of demo: column 320, line 0\n"));
+  for (const char* title : {"colour", "shown", "known", "interval", "hit", "depth", "way", "cost"})
+    EXPECT_THAT(text, HasSubstr("\n" + std::string(title) + " ")) << title;
+  EXPECT_THAT(text, HasSubstr("clock 961 of line 0"));
+  EXPECT_THAT(text, HasSubstr("racebeam trace demo --from 1000:0:"));
+  EXPECT_THAT(text, HasSubstr("LEFT"));
+  EXPECT_THAT(text, HasSubstr("emit"));
+  EXPECT_EQ(program.err(), "");
+  EXPECT_EQ(folder.files(), 0);
+}
+
+TEST(CliExplain, TheExampleOfTheReadmeIsWhatItSays) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", "demo", "--frame", "1000", "--pixel", "320,240"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_THAT(read_file(RACEBEAM_SOURCE_DIR "/README.md"),
+              HasSubstr("```\n" + program.out() + "```"));
+}
+
+TEST(CliExplain, JsonStepsAddUpToTheCost) {
+  const ScratchFolder folder;
+  Program program(folder.path(),
+                  {"explain", "demo", "--frame", "7223", "--pixel", "200,100", "--json"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  const json j = program.json();
+  EXPECT_EQ(j.at("schema"), "racebeam-explain");
+  EXPECT_EQ(j.at("version"), 1);
+  EXPECT_EQ(j.at("line"), -140);
+  EXPECT_EQ(j.at("pixel"), 199);
+  EXPECT_EQ(j.at("shown_clock"), 721);
+  const json& interval = j.at("interval");
+  EXPECT_LE(interval.at("first"), j.at("pixel"));
+  EXPECT_GE(interval.at("last"), j.at("pixel"));
+  int clocks = 0, decisions = 0;
+  for (const json& step : interval.at("steps")) {
+    clocks += step.at("clocks").get<int>();
+    decisions += step.at("decision").get<bool>();
+  }
+  EXPECT_EQ(interval.at("cost").at("clocks"), clocks);
+  EXPECT_EQ(interval.at("cost").at("decisions"), decisions);
+  EXPECT_EQ(interval.at("steps").back().at("clock"), j.at("known_clock"));
+  EXPECT_EQ(j.at("slack"), 721 - j.at("known_clock").get<int>());
+}
+
+TEST(CliExplain, NamesTheRoomsOfASceneFile) {
+  const ScratchFolder folder;
+  Program program(folder.path(),
+                  {"explain", house(), "--frame", "1500", "--pixel", "320,240", "--json"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  const json way = program.json().at("interval").at("hit").at("way");
+  ASSERT_FALSE(way.empty());
+  for (const json& room : way) EXPECT_FALSE(room.at("name").get<std::string>().empty());
+}
+
+TEST(CliExplain, Column0BelongsToTheFifo) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", "demo", "--frame", "1000", "--pixel", "0,479"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_THAT(program.out(), HasSubstr("column 0 belongs to the FIFO"));
+}
+
+TEST(CliExplain, APatternIsTheRayItself) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", "demo", "--frame", "2600", "--pixel", "9,9"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_THAT(program.out(), HasSubstr("not traced: the ray pattern is shown"));
+}
+
+TEST(CliExplain, ALineThatEndsTooSoonIsSaidToBeSo) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", "demo", "--frame", "7223", "--pixel", "639,100",
+                                  "--set", "clocks_per_pixel=1"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_THAT(program.out(), HasSubstr("never: the line ended with an interval on offer"));
+  EXPECT_THAT(program.out(), HasSubstr("racebeam trace demo --set clocks_per_pixel=1 --from"));
+}
+
+TEST(CliExplain, ALatePixelTellsByHowMuchTheBeamWonAndWhatItShowedInstead) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", "demo", "--frame", "8980", "--pixel", "300,240"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_THAT(program.out(), HasSubstr(" clocks ahead of the tracer"));
+  EXPECT_THAT(program.out(), HasSubstr("left over in the FIFO from pixels "));
+  EXPECT_THAT(program.out(), HasSubstr("given up in room "));
+}
+
+struct Mistake {
+  std::vector<std::string> arguments;
+  std::string help;
+};
+
+TEST(CliExplain, MistakesEndWith2AndSayWhatToDo) {
+  const std::vector<Mistake> mistakes = {
+      {{"demo", "--frame", "1", "--pixel", "640,0"}, "X is 0..639, Y is 0..479"},
+      {{"demo", "--frame", "1", "--pixel", "0,480"}, "X is 0..639, Y is 0..479"},
+      {{"demo", "--frame", "1", "--pixel", "0,-1"}, "X is 0..639, Y is 0..479"},
+      {{"demo", "--frame", "1", "--pixel", "12"}, "not of the form X,Y"},
+      {{"demo", "--frame", "1", "--pixel", "1,2,3"}, "not of the form X,Y"},
+      {{"demo", "--frame", "1", "--pixel", "a,b"}, "not of the form X,Y"},
+      {{"demo", "--frame", "12799", "--pixel", "1,1"}, "0..12798"},
+      {{"demo", "--frame", "-1", "--pixel", "1,1"}, "0..12798"},
+      {{"demo", "--frame", "1"}, "--pixel"},
+      {{"demo", "--pixel", "1,1"}, "--frame"},
+      {{"demoo", "--frame", "1", "--pixel", "1,1"}, "demo"},
+      {{"demo", "--frame", "1", "--pixel", "1,1", "--set", "hury_threshold=1"}, "hurry_threshold"},
+      {{"demo", "--frame", "1", "--pixel", "1,1", "--set", "corner_bits=14"}, "corner_bits"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    const ScratchFolder folder;
+    std::vector<std::string> words = {"explain"};
+    words.insert(words.end(), mistake.arguments.begin(), mistake.arguments.end());
+    Program program(folder.path(), words);
+    EXPECT_EQ(program.wait(), 2) << mistake.help;
+    EXPECT_THAT(program.err(), HasSubstr(mistake.help));
+    EXPECT_EQ(program.out(), "");
+  }
+}
+
+}  // namespace
+}  // namespace racebeam

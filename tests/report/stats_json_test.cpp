@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/report/stats_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace racebeam {
+namespace {
+
+using nlohmann::json;
+
+FrameStats frame_of(std::vector<int> busy) {
+  FrameStats stats;
+  stats.clocks = 840'000;
+  stats.left_decisions = 5;
+  stats.right_decisions = 3;
+  stats.bisection_steps = 2;
+  stats.fifo_fill[10] = 7;
+  stats.fifo_fill[11] = 9;  // beyond the FIFO: never shown
+  stats.camera_clocks = {47, 50};
+  stats.first_emit = {-1, 60};
+  stats.done_clock = {-1, -1};
+  stats.busy_clocks = std::move(busy);
+  return stats;
+}
+
+json report_of(const StatsReport& report) { return json::parse(report.text()); }
+
+TEST(SpreadTest, PercentileIsTheLeastValueThatCoversIt) {
+  Spread spread;
+  for (int value = 100; value >= 1; --value) spread.add(value);
+  EXPECT_EQ(spread.min(), 1);
+  EXPECT_EQ(spread.max(), 100);
+  EXPECT_EQ(spread.percentile(99), 99);
+  EXPECT_EQ(spread.percentile(50), 50);
+  EXPECT_DOUBLE_EQ(spread.mean(), 50.5);
+  for (int i = 0; i < 10'000; ++i) spread.add(3);
+  EXPECT_EQ(spread.percentile(99), 3);
+}
+
+TEST(StatsReportTest, WithoutFramesIsStillWhole) {
+  const json document = report_of(StatsReport("demo", "signal", {}));
+  EXPECT_EQ(document.at("frames"), json::array());
+  EXPECT_EQ(document.at("total").at("clocks"), 0);
+  EXPECT_TRUE(document.at("total").at("busy_clocks").is_null());
+}
+
+TEST(StatsReportTest, LinesWithoutAValueAreCountedNotAveraged) {
+  StatsReport report("demo", "signal", {});
+  report.add(9, "pillars", frame_of({100, 300}), {}, false);
+  const json frame = report_of(report).at("frames")[0];
+  EXPECT_EQ(frame.at("decisions"), 10);
+  EXPECT_EQ(frame.at("fifo_fill").size(), 11);
+  EXPECT_EQ(frame.at("camera_clocks"), (json{{"min", 47}, {"mean", 48.5}, {"max", 50}}));
+  EXPECT_EQ(frame.at("first_emit_clock"),
+            (json{{"min", 60}, {"mean", 60.0}, {"max", 60}, {"lines_without", 1}}));
+  EXPECT_EQ(frame.at("done_clock").at("lines_not_done"), 2);
+  EXPECT_TRUE(frame.at("done_clock").at("min").is_null());
+  EXPECT_EQ(frame.count("image_crc32"), 0);
+}
+
+TEST(StatsReportTest, TotalNamesTheWorstLineOfTheRun) {
+  StatsReport report("demo", "signal", {});
+  report.add(9, "pillars", frame_of({100, 300}), {}, false);
+  report.add(10, "pillars", frame_of({700, 200}), {}, false);
+  const json document = report_of(report);
+  EXPECT_EQ(document.at("frames")[0].at("busy_clocks").at("worst_line"), -239);
+  const json& busy = document.at("total").at("busy_clocks");
+  EXPECT_EQ(busy.at("worst_frame"), 10);
+  EXPECT_EQ(busy.at("worst_line"), -240);
+  EXPECT_EQ(busy.at("min"), 100);
+  EXPECT_EQ(busy.at("max"), 700);
+  EXPECT_EQ(busy.at("sum"), 1300);
+}
+
+TEST(StatsReportTest, CrcsAreEightHexDigits) {
+  StatsReport report("demo", "signal", {});
+  VgaFrame picture;
+  picture.image_crc = 0xabc;
+  report.add(0, "pillars", frame_of({1, 2}), picture, true);
+  const json frame = report_of(report).at("frames")[0];
+  EXPECT_EQ(frame.at("image_crc32"), "00000abc");
+  EXPECT_EQ(frame.at("pins_crc32"), "00000000");
+}
+
+}  // namespace
+}  // namespace racebeam
