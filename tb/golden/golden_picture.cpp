@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "tb/golden/geometry.h"
-#include "tb/golden/trace_2.h"
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_2.h"
+#include "tb/golden/tracer_4.h"
 
 namespace racebeam {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tb/base/spread_frames.h"
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_4.h"
 
 namespace racebeam {
 

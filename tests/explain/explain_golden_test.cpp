@@ -11,8 +11,8 @@
 #include "sc/beam/tlm/chip_lines.h"
 #include "tb/explain/explanation.h"
 #include "tb/explain/line_watcher.h"
-#include "tb/golden/trace_2.h"
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_2.h"
+#include "tb/golden/tracer_4.h"
 #include "tb/scene/scene_reader.h"
 #include "tests/support/unlimited.h"
 

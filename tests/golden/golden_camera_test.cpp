@@ -10,7 +10,7 @@
 #include <set>
 
 #include "tb/golden/golden_world.h"
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_4.h"
 #include "tb/show/demo_parts.h"
 
 namespace racebeam {

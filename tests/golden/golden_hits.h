@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/golden/geometry.h"
-#include "tb/golden/trace_2.h"
+#include "tb/golden/tracer_2.h"
 
 namespace racebeam {
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "tb/golden/geometry.h"
-#include "tb/golden/trace_2.h"
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_2.h"
+#include "tb/golden/tracer_4.h"
 #include "tb/scene/scene_check.h"
 #include "tests/support/scene_text.h"
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_4.h"
 #include "tb/judge/core_renderer.h"
 #include "tb/show/demo_parts.h"
 #include "tests/golden/golden_hits.h"

@@ -12,11 +12,11 @@ namespace racebeam {
 namespace {
 
 template <class Unit>
-using CameraUnitTraceTest = CameraUnitTest<Unit>;
-TYPED_TEST_SUITE(CameraUnitTraceTest, Twins);
+using CameraUnitClocksTest = CameraUnitTest<Unit>;
+TYPED_TEST_SUITE(CameraUnitClocksTest, Twins);
 
 // Contract 7.7: frame 2, y = -240.
-TYPED_TEST(CameraUnitTraceTest, LineFollowsTheMicroTrace) {
+TYPED_TEST(CameraUnitClocksTest, LineRunsAsInTheContract) {
   struct Row {
     int c, idx2, i2;
     std::optional<vec3> dr2, dr1, ddr;  // ddr is on the delta pins from pstage 1 on
@@ -75,7 +75,7 @@ TYPED_TEST(CameraUnitTraceTest, LineFollowsTheMicroTrace) {
 }
 
 // Contract 7.3 and 7.4: the controls of the first pass of that line, worked out by hand.
-TYPED_TEST(CameraUnitTraceTest, ControlsFollowTheTablesOfTheProductAndThePhases) {
+TYPED_TEST(CameraUnitClocksTest, ControlsFollowTheTablesOfTheProductAndThePhases) {
   struct Row {
     int src, load, ext, ext_sign, axis_mask, copy, idx_load, i2_init;
   };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/trace_4.h"
+#include "tb/golden/tracer_4.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-// Promises of sc/beam/subdivider.h: the trace of contract section 9.9.
+// Promises of sc/beam/subdivider.h: clock by clock, contract section 9.9.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -14,7 +14,7 @@
 namespace racebeam {
 namespace {
 
-/// What stands around the unit in the trace of frame 2, y = -240: tree, rooms and both stacks.
+/// What stands around the unit in frame 2, y = -240: tree, rooms and both stacks.
 template <class Unit>
 struct Frame2 {
   Dut<Unit>& d;
@@ -88,11 +88,11 @@ struct Frame2 {
 };
 
 template <class Unit>
-using SubdividerTraceTest = SubdividerTest<Unit>;
-TYPED_TEST_SUITE(SubdividerTraceTest, Twins);
+using SubdividerClocksTest = SubdividerTest<Unit>;
+TYPED_TEST_SUITE(SubdividerClocksTest, Twins);
 
 // 9.9, all rows.
-TYPED_TEST(SubdividerTraceTest, TraceOfFrame2RunsAsInTheContract) {
+TYPED_TEST(SubdividerClocksTest, Frame2RunsAsInTheContract) {
   auto& d = this->dut;
   Frame2<TypeParam> f(d);
   const int adjusting[] = {0, 512, 640, 639};

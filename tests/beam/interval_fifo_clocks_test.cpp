@@ -1,4 +1,4 @@
-// Promises of sc/beam/interval_fifo.h: the traces of frame 2, contract section 14.
+// Promises of sc/beam/interval_fifo.h: clock by clock in frame 2, contract section 14.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -10,11 +10,11 @@ namespace racebeam {
 namespace {
 
 template <class Unit>
-using IntervalFifoTraceTest = IntervalFifoTest<Unit>;
-TYPED_TEST_SUITE(IntervalFifoTraceTest, Twins);
+using IntervalFifoClocksTest = IntervalFifoTest<Unit>;
+TYPED_TEST_SUITE(IntervalFifoClocksTest, Twins);
 
-// Trace of frame 2, y = -240: clocks 135, 164, (179), 186..188, 194..197, 253, 274..322.
-TYPED_TEST(IntervalFifoTraceTest, TraceOfFrame2FillsTheQueueAndStallsUntilClock322) {
+// Frame 2, y = -240: clocks 135, 164, (179), 186..188, 194..197, 253, 274..322.
+TYPED_TEST(IntervalFifoClocksTest, Frame2FillsTheQueueAndStallsUntilClock322) {
   auto& d = this->dut;
   EXPECT_TRUE(d.offer(1, 3));
   EXPECT_EQ(d.fill(), 2) << "c = 136, tail_ptr 8";
@@ -53,8 +53,8 @@ TYPED_TEST(IntervalFifoTraceTest, TraceOfFrame2FillsTheQueueAndStallsUntilClock3
   EXPECT_TRUE(d.starving());
 }
 
-// Trace of frame 2, y = -24: clocks 971..1001.
-TYPED_TEST(IntervalFifoTraceTest, LateIntervalIsShortenedByTheStarvedColumns) {
+// Frame 2, y = -24: clocks 971..1001.
+TYPED_TEST(IntervalFifoClocksTest, LateIntervalIsShortenedByTheStarvedColumns) {
   auto& d = this->dut;
   d.offer(1, 2);
   d.clock(1);
