@@ -1,4 +1,5 @@
-// Widths and sizes that are fixed: the names and values of sc/base/constants.h.
+// Widths and sizes that are fixed, the names and values of sc/base/constants.h; and the codes of
+// sc/beam/codes.h.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -54,6 +55,31 @@ package racebeam_pkg;
   localparam int DemoFrames = 12799;
 
   /* verilator lint_on UNUSEDPARAM */
+
+  // Codes
+  typedef enum logic [1:0] {
+    StateLeft = 2'd0,
+    StateRight = 2'd1,
+    StateBisect = 2'd2,
+    StateReturn = 2'd3
+  } subdivider_state;
+
+  typedef enum logic [1:0] {
+    LookThrough = 2'd0,
+    LookNext = 2'd1,
+    LookPrevious = 2'd2
+  } look_way;
+
+  typedef enum logic [2:0] {
+    CornerHold = 3'd0,
+    CornerAddVelocity = 3'd1,
+    CornerAddS = 3'd2,
+    CornerSubtract2S = 3'd3,
+    CornerLeavePlus = 3'd4,
+    CornerLeaveMinus = 3'd5,
+    CornerAddR = 3'd6,
+    CornerCamera = 3'd7
+  } corner_op;
 endpackage
 
 `default_nettype wire

@@ -99,23 +99,6 @@ module decision_datapath #(
   localparam int LargestShift =
       CornerBits - 1 > CornerFactorBits ? CornerBits - 1 - CornerFactorBits : 0;
 
-
-  typedef enum logic [1:0] {
-    LookThrough = 2'd0,
-    LookNext = 2'd1,
-    LookPrevious = 2'd2
-  } look_way;
-  typedef enum logic [2:0] {
-    CornerHold = 3'd0,
-    CornerAddVelocity = 3'd1,
-    CornerAddS = 3'd2,
-    CornerSubtract2S = 3'd3,
-    CornerLeavePlus = 3'd4,
-    CornerLeaveMinus = 3'd5,
-    CornerAddR = 3'd6,
-    CornerCamera = 3'd7
-  } corner_op;
-
   logic [racebeam_pkg::DepthBits-1:0] depth_q, depth_d;
   logic [racebeam_pkg::LevelBits-1:0] level_q, level_d;
   logic [RoomBits-1:0] room_q, room_d;
@@ -171,10 +154,11 @@ module decision_datapath #(
   logic [FactorBits-1:0] factor_a, factor_b;
   logic [RayFactorBits-1:0] ray_a, ray_b;
 
+  wire logic left = state_i == racebeam_pkg::StateLeft;
   always_comb begin
-    dr[0] = DrBits'(state_i == 2'd0 ? dr1_x_i : dr2_x_i);
-    dr[1] = DrBits'(state_i == 2'd0 ? dr1_y_i : dr2_y_i);
-    dr[2] = DrBits'(state_i == 2'd0 ? dr1_z_i : dr2_z_i);
+    dr[0] = DrBits'(left ? dr1_x_i : dr2_x_i);
+    dr[1] = DrBits'(left ? dr1_y_i : dr2_y_i);
+    dr[2] = DrBits'(left ? dr1_z_i : dr2_z_i);
     for (int a = 0; a < 3; a++)
       magnitude[a] = dr[a][DrBits-2:0] ^ {RayFactorBits{dr[a][DrBits-1]}};
 
@@ -216,18 +200,19 @@ module decision_datapath #(
     look_axis_o = left_face(dom_q, leave_i[0]);
     look_signs_o = ray_signs_i;
     look_portal_o = '0;
-    look_way_o = LookThrough;
+    look_way_o = racebeam_pkg::LookThrough;
     if (climb_i || aside) begin
       look_axis_o = face_q;
       look_signs_o = ~ray_signs_i;
       look_portal_o = back_q;
-      look_way_o = !climb_i ? LookNext : to_previous ? LookPrevious : LookThrough;
+      if (!climb_i) look_way_o = racebeam_pkg::LookNext;
+      else if (to_previous) look_way_o = racebeam_pkg::LookPrevious;
     end
     if (nav_line_i) begin
       look_axis_o = nav_axis_i;
       look_signs_o = {3{nav_negative_i}};
       look_portal_o = SeveralPortals ? nav_portal_i : '0;
-      look_way_o = LookThrough;
+      look_way_o = racebeam_pkg::LookThrough;
     end
   end
   assign fwrite_o = leaves && level_q == 3'd7 && !solid;
@@ -256,7 +241,7 @@ module decision_datapath #(
     {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
     {portal_d, back_d} = {portal_q, back_q};
     second_d = 1'b0;
-    wall_d = wall_q && !(state_i == 2'd3 && !go_down);
+    wall_d = wall_q && !(state_i == racebeam_pkg::StateReturn && !go_down);
     hit_face_d = hit_face_q;
 
     if (go_down) begin
@@ -350,12 +335,16 @@ module decision_datapath #(
 
     if (nav_line_i) begin  // the navigator's
       {negate, add_s, subtract_s, add_r, subtract_r} = '0;
-      twice = nav_op_i == CornerSubtract2S;
+      twice = nav_op_i == racebeam_pkg::CornerSubtract2S;
       to_neighbour = nav_move_i;
-      if (nav_op_i == CornerAddS || nav_op_i == CornerLeaveMinus) add_s = '1;
-      if (nav_op_i == CornerSubtract2S || nav_op_i == CornerLeavePlus) subtract_s = '1;
-      if (nav_op_i == CornerLeavePlus || nav_op_i == CornerLeaveMinus) subtract_r = '1;
-      if (nav_op_i == CornerAddR) add_r = '1;
+      case (nav_op_i)
+        racebeam_pkg::CornerAddS: add_s = '1;
+        racebeam_pkg::CornerSubtract2S: subtract_s = '1;
+        racebeam_pkg::CornerLeavePlus: {subtract_s, subtract_r} = '1;
+        racebeam_pkg::CornerLeaveMinus: {add_s, subtract_r} = '1;
+        racebeam_pkg::CornerAddR: add_r = '1;
+        default: ;
+      endcase
     end
 
     if (root) begin
@@ -368,8 +357,8 @@ module decision_datapath #(
   end
 
   // The corner adders.
-  wire logic at_camera = root || (nav_line_i && nav_op_i == CornerCamera);
-  wire logic add_velocity = nav_line_i && nav_op_i == CornerAddVelocity;
+  wire logic at_camera = root || (nav_line_i && nav_op_i == racebeam_pkg::CornerCamera);
+  wire logic add_velocity = nav_line_i && nav_op_i == racebeam_pkg::CornerAddVelocity;
   logic [CornerBits-1:0] camera[3], velocity[3], half_size[3], position[3];
   logic [CornerBits-1:0] size_term[3], position_term[3], nudge[3];
 

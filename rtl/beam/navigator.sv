@@ -56,16 +56,6 @@ module navigator #(
     NavTryCheckMinus = 4'd11,
     NavTryNext = 4'd12
   } navigator_state;
-  typedef enum logic [2:0] {
-    CornerHold = 3'd0,
-    CornerAddVelocity = 3'd1,
-    CornerAddS = 3'd2,
-    CornerSubtract2S = 3'd3,
-    CornerLeavePlus = 3'd4,
-    CornerLeaveMinus = 3'd5,
-    CornerAddR = 3'd6,
-    CornerCamera = 3'd7
-  } corner_op;
 
   localparam bit SeveralPortals = PortalsPerFace > 1;
 
@@ -84,27 +74,27 @@ module navigator #(
   always_comb begin
     nav_axis_o = '0;
     nav_negative_o = 1'b0;
-    nav_op_o = CornerHold;
+    nav_op_o = racebeam_pkg::CornerHold;
     nav_move_o = 1'b0;
     if (nav_line_i) begin
       nav_axis_o = found[0] ? 2'd0 : found[1] ? 2'd1 : found[2] ? 2'd2 : 2'd0;
       unique case (nav_state_q)
-        NavAdjust: nav_op_o = CornerAddVelocity;
-        NavToPlus: nav_op_o = CornerAddS;
+        NavAdjust: nav_op_o = racebeam_pkg::CornerAddVelocity;
+        NavToPlus: nav_op_o = racebeam_pkg::CornerAddS;
         NavCheckPlus: begin
-          nav_op_o = found != '0 ? CornerLeavePlus : CornerSubtract2S;
+          nav_op_o = found != '0 ? racebeam_pkg::CornerLeavePlus : racebeam_pkg::CornerSubtract2S;
           nav_move_o = found != '0;
         end
         NavCheckMinus:
           if (found != '0) begin
-            nav_op_o = CornerLeaveMinus;
+            nav_op_o = racebeam_pkg::CornerLeaveMinus;
             nav_negative_o = 1'b1;
             nav_move_o = 1'b1;
           end
-        NavFinish: nav_op_o = CornerAddR;
-        NavTryPlus, NavTryDone: nav_op_o = CornerAddS;
-        NavTryCheckPlus: nav_op_o = found != '0 ? CornerHold : CornerSubtract2S;
-        NavTryNext: nav_op_o = CornerCamera;
+        NavFinish: nav_op_o = racebeam_pkg::CornerAddR;
+        NavTryPlus, NavTryDone: nav_op_o = racebeam_pkg::CornerAddS;
+        NavTryCheckPlus: if (found == '0) nav_op_o = racebeam_pkg::CornerSubtract2S;
+        NavTryNext: nav_op_o = racebeam_pkg::CornerCamera;
         default: ;
       endcase
     end

@@ -45,11 +45,6 @@ module scene_rom #(
   localparam int PortalBits = racebeam_pkg::PortalBits;
   localparam int NoRoom = (1 << WordBits) - 1 - (7 << RoomBits);  // no portal, no room
 
-  typedef enum logic [1:0] {
-    LookThrough = 2'd0,
-    LookNext = 2'd1,
-    LookPrevious = 2'd2  // as is 3
-  } look_way;
 
   localparam int AddressBits = Rooms > 1 ? $clog2(Rooms) : 1;
 
@@ -96,13 +91,13 @@ module scene_rom #(
     room_behind = through[RoomBits-1:0];
     row_behind = there(room_behind) ? rows[room_behind[AddressBits-1:0]][PortalRowBits-1:0] : '0;
     portal_beside = {1'b0, through[RoomBits+:PortalBits]};
-    if (look_way_i == LookNext) portal_beside = portal_beside + 1'b1;
+    if (look_way_i == racebeam_pkg::LookNext) portal_beside = portal_beside + 1'b1;
     else portal_beside = portal_beside - 1'b1;
     beside = there(room_behind) && !portal_beside[PortalBits]
         ? portal_of(row_behind, face ^ 3'b001, portal_beside[PortalBits-1:0])
         : WordBits'(NoRoom);
 
-    answer = look_way_i == LookThrough ? through : beside;
+    answer = look_way_i == racebeam_pkg::LookThrough ? through : beside;
     neighbour_o = answer[RoomBits-1:0];
     back_o = answer[RoomBits+:PortalBits];
   end

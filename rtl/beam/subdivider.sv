@@ -70,14 +70,8 @@ module subdivider #(
   localparam logic [CountBits-1:0] Full = CountBits'(IntervalStackDepth);
 
   typedef logic [racebeam_pkg::PixelBits-1:0] pixel;
-  typedef enum logic [1:0] {
-    StateLeft = 2'd0,
-    StateRight = 2'd1,
-    StateBisect = 2'd2,
-    StateReturn = 2'd3
-  } subdivider_state;
 
-  subdivider_state state_q, state_d, next_state;
+  racebeam_pkg::subdivider_state state_q, state_d, next_state;
   pixel i1_q, i1_d, i2_q, i2_d, next_i2, lo_q, lo_d, hi_q, hi_d, idx2_q, idx2_d;
   logic [3:0] d1_q, d1_d;
   logic emit_done_q, emit_done_d, was_return_q, line_done_q, line_done_d;
@@ -85,20 +79,20 @@ module subdivider #(
   logic [CountBits-1:0] sd_q, sd_d;
 
   // Hit, offer, climb.
-  wire logic accept = state_q != StateReturn && idx2_q == i2_q && !emit_done_q;
+  wire logic accept = state_q != racebeam_pkg::StateReturn && idx2_q == i2_q && !emit_done_q;
   wire pixel len_m1 = i2_q - i1_q;
   wire logic hurry = starving_i && $signed({22'b0, len_m1}) <= HurryThreshold;
   wire logic hit_now = accept && (wall_i || hurry);
-  wire logic returning = !tracer_reset_i && (hit_now || state_q == StateReturn);
+  wire logic returning = !tracer_reset_i && (hit_now || state_q == racebeam_pkg::StateReturn);
   wire logic emit = returning && !emit_done_q && !line_done_q;
   wire logic pending = emit && !ack_i;
   wire logic need_climb =
       returning && (tag_i[TagWidth-1:0] != top_tag_i[TagWidth-1:0] || second_i);
   wire logic enable = !need_climb && !second_i && !pending;
-  wire logic restart = sd_q == '0 && state_q == StateReturn && returning && !pending;
+  wire logic restart = sd_q == '0 && state_q == racebeam_pkg::StateReturn && returning && !pending;
   wire logic advance = (enable && !hit_now) || restart;
   wire logic agree = ((d1_q ^ dec_i) & mask_i) == '0;
-  wire logic [3:0] cur = state_q == StateLeft ? dec_i : d1_q;
+  wire logic [3:0] cur = state_q == racebeam_pkg::StateLeft ? dec_i : d1_q;
 
   // The move of this clock.
   logic want_step, force_step, neg, want_descend, push, one_pixel, bisecting;
@@ -106,14 +100,14 @@ module subdivider #(
   wire logic [11:0] distance = {1'b0, nhi} - {1'b0, nlo};
 
   always_comb begin
-    next_state = StateLeft;
+    next_state = racebeam_pkg::StateLeft;
     next_i2 = i2_q;
     {nlo, nhi} = {1'b0, lo_q, 1'b0, hi_q};
     {want_step, force_step, neg, want_descend, push, one_pixel, bisecting} = '0;
     if (returning) begin
       next_i2 = top_i2_i;
       force_step = 1'b1;
-      if (state_q != StateReturn) begin
+      if (state_q != racebeam_pkg::StateReturn) begin
         want_step = 1'b1;
         one_pixel = 1'b1;
       end else begin
@@ -121,29 +115,29 @@ module subdivider #(
         want_step = idx2_q != top_i2_i;
         neg = top_i2_i < idx2_q;
       end
-    end else if (tracer_reset_i || state_q == StateLeft) begin
+    end else if (tracer_reset_i || state_q == racebeam_pkg::StateLeft) begin
       {nlo, nhi} = {idx2_q, 1'b0, i2_q, 1'b0};
       want_step = idx2_q != i2_q;
       force_step = want_step;
       neg = i2_q < idx2_q;
       if (!want_step) begin
         want_descend = i1_q == i2_q;
-        if (!want_descend) next_state = StateRight;
+        if (!want_descend) next_state = racebeam_pkg::StateRight;
       end
-    end else if (state_q == StateRight && agree) begin
+    end else if (state_q == racebeam_pkg::StateRight && agree) begin
       want_descend = 1'b1;
     end else begin
-      if (state_q == StateRight) {nlo, nhi} = {1'b0, i1_q, 1'b0, i2_q};
+      if (state_q == racebeam_pkg::StateRight) {nlo, nhi} = {1'b0, i1_q, 1'b0, i2_q};
       else if (agree) nlo = {1'b0, idx2_q};
       else nhi = {1'b0, idx2_q};
       neg = !agree;
-      next_state = StateBisect;
+      next_state = racebeam_pkg::StateBisect;
       want_step = 1'b1;
       bisecting = 1'b1;
       if (nhi - nlo == 11'd1) begin  // found: the left part goes on, the right one waits
         push = 1'b1;
         want_descend = 1'b1;
-        next_state = StateLeft;
+        next_state = racebeam_pkg::StateLeft;
         next_i2 = nlo[9:0];
         want_step = !agree;
         neg = 1'b1;
@@ -168,7 +162,7 @@ module subdivider #(
   assign step_o = locked ? consume_i : want_step && (advance || force_step) && !restart;
   assign neg_o = !locked && neg;
   assign step_size_o = locked ? 11'd1 : step_size;
-  assign copy_sub_o = returning && state_q == StateReturn && !was_return_q;
+  assign copy_sub_o = returning && state_q == racebeam_pkg::StateReturn && !was_return_q;
   assign push_en_o = advance && push;
   assign descend_o = advance && want_descend && !returning;
   assign climb_o = need_climb && !pending;
@@ -183,7 +177,7 @@ module subdivider #(
     i2_d = i2_q;
     {sp_d, sd_d} = {sp_q, sd_q};
     if (tracer_reset_i || restart) begin
-      state_d = StateLeft;
+      state_d = racebeam_pkg::StateLeft;
       i2_d = i2_init_i;
       {sp_d, sd_d} = '0;
     end else if (advance) begin
@@ -197,7 +191,7 @@ module subdivider #(
         if (sd_q != Full) sd_d = sd_q + 1'b1;
       end
     end else if (returning) begin
-      state_d = StateReturn;
+      state_d = racebeam_pkg::StateReturn;
     end
 
     i1_d = tracer_reset_i ? '0 : advance && returning ? i2_q + 1'b1 : i1_q;
@@ -206,7 +200,7 @@ module subdivider #(
     if (idx_load_i) idx2_d = idx_start_i;
     else if (step_o) idx2_d = neg_o ? idx2_q - step_size_o[9:0] : idx2_q + step_size_o[9:0];
     d1_d = tracer_reset_i ? '0 : d1_q;
-    if (advance && state_q == StateLeft) d1_d = (d1_d & ~mask_i) | (dec_i & mask_i);
+    if (advance && state_q == racebeam_pkg::StateLeft) d1_d = (d1_d & ~mask_i) | (dec_i & mask_i);
     emit_done_d = !tracer_reset_i && ((emit_done_q && !advance) || ack_i);
     line_done_d = !tracer_reset_i
         && (line_done_q || (i2_q == 10'(racebeam_pkg::LastPixel) && returning && ack_i));
@@ -221,7 +215,7 @@ module subdivider #(
     idx2_q <= idx2_d;
     d1_q <= d1_d;
     emit_done_q <= emit_done_d;
-    was_return_q <= !tracer_reset_i && state_q == StateReturn;
+    was_return_q <= !tracer_reset_i && state_q == racebeam_pkg::StateReturn;
     line_done_q <= line_done_d;
     sp_q <= sp_d;
     sd_q <= sd_d;

@@ -7,9 +7,8 @@
 
 #include <utility>
 
+#include "sc/beam/codes.h"
 #include "sc/beam/decision_datapath_core.h"
-#include "sc/beam/navigator.h"
-#include "sc/beam/scene.h"
 
 namespace racebeam {
 

@@ -27,6 +27,7 @@
 #include "sc/base/knobs.h"
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
+#include "sc/beam/codes.h"
 
 namespace racebeam {
 
@@ -44,18 +45,6 @@ enum navigator_state {
   NavTryCheckMinus = 11,
   NavTryDone = 9,
   NavTryNext = 12,
-};
-
-/// What decision_datapath does to its corner on the nav_line (S half size, R position of the room).
-enum corner_op {
-  CornerHold = 0,
-  CornerAddVelocity = 1,
-  CornerAddS = 2,
-  CornerSubtract2S = 3,
-  CornerLeavePlus = 4,   // - R - S
-  CornerLeaveMinus = 5,  // - R + S
-  CornerAddR = 6,
-  CornerCamera = 7,  // := the camera; the room := its room
 };
 
 /// Behaviour of navigator.

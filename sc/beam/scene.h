@@ -21,15 +21,9 @@
 
 #include "sc/base/constants.h"
 #include "sc/base/unit.h"
+#include "sc/beam/codes.h"
 
 namespace racebeam {
-
-/// What is asked of the world's table.
-enum look_way {
-  LookThrough = 0,   // the room behind portal look_portal of the face
-  LookNext = 1,      // that room's face towards us: the room behind its portal after ours
-  LookPrevious = 2,  // ... before ours
-};
 
 /// Behaviour of scene.
 struct scene_core {

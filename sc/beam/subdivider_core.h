@@ -11,10 +11,9 @@
 #include "sc/base/fixed_point.h"
 #include "sc/base/knobs.h"
 #include "sc/base/probe.h"
+#include "sc/beam/codes.h"
 
 namespace racebeam {
-
-enum subdivider_state { StateLeft = 0, StateRight = 1, StateBisect = 2, StateReturn = 3 };
 
 /// Pixels of the step for a doubled distance `n` (contract 9.5): the power of two closest to n / 2,
 /// ties up when n >= 0, down when n < 0; 1 where the distance is 0.
