@@ -27,12 +27,10 @@ class BehaviourReader {
  public:
   BehaviourReader(const SyntaxTree& tree, RtlSyntax& syntax) : tree_(tree), syntax_(syntax) {}
   void read() {
-    for (Node module : children(tree_.netlist()))
-      if (name_of(module) == "module")
-        walk(module, [&](Node node) {
-          if (name_of(node) == "while") read_loop(node);
-          else read_call(node);
-        });
+    walk(tree_.netlist(), [&](Node node) {
+      if (name_of(node) == "while") read_loop(node);
+      else read_call(node);
+    });
   }
 
  private:
@@ -66,6 +64,7 @@ void BehaviourReader::read_call(Node node) {
   if (kind == "readmem")
     syntax_.reads.push_back(tree_.place(node, text_of(children(node).front())));
   if (kind != "func" && kind != "task") return;
+  if (attribute(node, "name") == "new" && name_of(node->parent) == "class") return;
   const std::vector<Node> parts = children(node);
   if (std::all_of(parts.begin(), parts.end(), [](Node part) { return name_of(part) == "var"; }))
     syntax_.calls.push_back(tree_.place(node, attribute(node, "name")));

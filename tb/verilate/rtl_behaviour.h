@@ -8,7 +8,7 @@
 
 namespace racebeam {
 
-/// Sets the loops, calls and reads of `syntax`.
+/// Sets the loops, calls and reads of `syntax`: of modules, packages, interfaces and classes alike.
 void read_behaviour(const SyntaxTree& tree, RtlSyntax& syntax);
 
 }  // namespace racebeam

@@ -15,7 +15,7 @@ namespace racebeam {
 
 namespace {
 
-/// One module of the tree and the names of the clock in it.
+/// One module or interface of the tree and the names of the clock in it.
 struct Module {
   Node node = nullptr;
   std::set<std::string> clocks;
@@ -42,7 +42,7 @@ class SyntaxReader {
 SyntaxReader::SyntaxReader(const SyntaxTree& tree, const std::string& top) : tree_(tree) {
   syntax_.files = tree.files();
   for (Node node : children(tree.netlist())) {
-    if (name_of(node) != "module") continue;
+    if (name_of(node) != "module" && name_of(node) != "iface") continue;
     modules_[attribute(node, "name")].node = node;
     if (attribute(node, "topModule") == "1") top_ = node;
   }

@@ -37,7 +37,7 @@ struct RtlSyntax {
   std::vector<Place> falling;  ///< registers on the falling edge of the clock
   std::vector<Place> loops;    ///< loops that are not counted by a constant
   /// What reaches beyond the simulation: "$system", "$c", "$fopen", "$writememh", "`systemc_...",
-  /// and functions without a body, such as those of DPI.
+  /// and functions without a body, such as those of DPI; of packages and classes too.
   std::vector<Place> calls;
   /// $readmemh and $readmemb, by the file that they name; empty: it is only known in the run.
   std::vector<Place> reads;

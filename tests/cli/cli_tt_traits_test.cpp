@@ -50,11 +50,18 @@ class CliTtTraitsTest : public testing::Test {
     }
     stats = run.out().empty() ? nlohmann::json() : nlohmann::json::parse(run.out());
   }
-  /// The bars with a line of Verilog in their top module are refused.
-  void expect_distrust(const std::string& line, const std::string& said) {
+  /// The bars with a line of Verilog in their top module are refused, where `said` is in it, and
+  /// with a line before it, if there is one.
+  void expect_distrust(const std::string& line, const std::string& said,
+                       const std::string& before = "") {
     reset_bars();
     change("src/tt_um_bars.v", "  assign uio_oe", "  " + line + "\n  assign uio_oe");
-    expect_bars({}, 2, {"bars/src/tt_um_bars.v:38: ", said, "; --trust if you trust this project"});
+    if (!before.empty())
+      change("src/tt_um_bars.v", "`default_nettype none", "`default_nettype none " + before);
+    const std::string place = before.empty() ? "38" : "5";
+    expect_bars(
+        {}, 2,
+        {"bars/src/tt_um_bars.v:" + place + ": ", said, "; --trust if you trust this project"});
     EXPECT_FALSE(fs::exists(folder / "touched"));
   }
 
@@ -154,6 +161,28 @@ TEST_F(CliTtTraitsTest, RunsNoCommandsOfStrangers) {
       "system reaches beyond");
   expect_distrust("reg [7:0] m[0:3]; initial $readmemh(\"../../secret.hex\", m);",
                   "../../secret.hex is read, which lies outside of bars");
+  const std::string touch = "$system(\"touch ../../touched\");";
+  const std::string touching = "function int go(); " + touch + " return 0; endfunction ";
+  const std::string calls = "$system reaches beyond";
+  expect_distrust("integer n = p::go();", calls, "package p; " + touching + "endpackage");
+  expect_distrust("integer n = p::n;", calls,
+                  "package p; " + touching + "int n = go(); endpackage");
+  expect_distrust("integer n = go();", calls, touching);
+  expect_distrust("i u_i ();", calls, "interface i; initial " + touch + " endinterface");
+  expect_distrust("p u_p ();", calls, "program p; initial " + touch + " endprogram");
+  expect_distrust("c u_c = new; integer n = u_c.go();", calls, "class c; " + touching + "endclass");
+  expect_distrust("integer n = p::c::go();", calls,
+                  "package p; class c; static " + touching + "endclass endpackage");
+  expect_distrust("integer n = p::system(\"touch ../../touched\");", "system reaches beyond",
+                  "package p; import \"DPI-C\" function int system(input string s); endpackage");
+  expect_distrust("integer n = system(\"touch ../../touched\");", "system reaches beyond",
+                  "import \"DPI-C\" function int system(input string s);");
+  expect_distrust("integer n = p::go();", "$fopen reaches beyond",
+                  "package p; function int go(); int f; f = $fopen(\"../../touched\", \"w\");"
+                  " return f; endfunction endpackage");
+  expect_distrust("integer n = p::go();", "/etc/hostname is read, which lies outside of bars",
+                  "package p; reg [7:0] m[0:3]; function int go();"
+                  " $readmemh(\"/etc/hostname\", m); return 0; endfunction endpackage");
   reset_bars();
   change("src/tt_um_bars.v", "  assign uio_oe",
          "  initial $system(\"touch ../../touched\");\n  assign uio_oe");

@@ -141,6 +141,32 @@ static int unused;
                            "12 $fopen", "13 $system", testing::EndsWith("systemc_implementation")));
 }
 
+TEST_F(RtlSyntaxTest, LooksIntoPackagesInterfacesAndClassesToo) {
+  const RtlSyntax syntax = read(R"(package p;
+    function int call(); $system("true"); return 0; endfunction
+    function int wait_for(int n); while (n != 1) n = n / 2; return n; endfunction
+    class plain; int n; function new(); endfunction endclass
+    import "DPI-C" getpid = function int \new ();
+  endpackage
+  function int call(); $c("(void)0;"); return 0; endfunction
+  interface wires (input c, input d);
+    reg q; reg [7:0] table_q [0:3];
+    always @(negedge c) q <= d;
+    initial $readmemh("file", table_q);
+  endinterface
+  module stacks (input clk_i, input d);
+    wires u (clk_i, d);
+    integer n = p::call() + call() + p::wait_for(8) + p::\new ();
+    p::plain o;
+    initial o = new;
+  endmodule)");
+  EXPECT_THAT(lines(syntax.calls), UnorderedElementsAre("2 $system", "5 new", "7 $c"));
+  EXPECT_THAT(lines(syntax.loops), ElementsAre("3 while"));
+  EXPECT_THAT(lines(syntax.reads), ElementsAre("11 file"));
+  EXPECT_THAT(lines(syntax.falling), ElementsAre("10 q"));
+  EXPECT_FALSE(syntax.rising_only);
+}
+
 TEST_F(RtlSyntaxTest, FindsNothingToSayOfTheProjectsOwnRtl) {
   const RtlSyntax syntax =
       read_rtl_syntax({"racebeam_top", {RACEBEAM_SOURCE_DIR "/rtl/beam/racebeam_top.sv"}});
