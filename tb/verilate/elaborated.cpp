@@ -4,12 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <vector>
 
 #include "tb/base/errors.h"
 #include "tb/verilate/cache_folder.h"
+#include "tb/verilate/syntax_tree.h"
 #include "tb/verilate/verilator.h"
 
 namespace racebeam {
@@ -27,17 +27,6 @@ std::set<std::string> sources_in(const std::string& folder) {
     if (Extensions.count(entry.path().extension().string()) != 0)
       names.insert(entry.path().string());
   return names;
-}
-
-/// The files that Verilator read, from the head of its XML.
-std::vector<std::string> files_of(const std::string& xml) {
-  static const std::regex File("<file id=\"[^\"]*\" filename=\"(/[^\"]*)\"");
-  std::vector<std::string> files;
-  std::ifstream in(xml);
-  std::smatch found;
-  for (std::string line; std::getline(in, line) && line.find("</files>") == std::string::npos;)
-    if (std::regex_search(line, found, File)) files.push_back(found[1]);
-  return files;
 }
 
 std::vector<std::string> lines_of(const std::string& path) {
@@ -76,7 +65,8 @@ Elaborated elaborated(const RtlSources& sources) {
   }
   const WorkFolder work;
   write_rtl_xml(sources, work.path(), work.file("tree.xml"));
-  const std::vector<std::string> files = files_of(work.file("tree.xml"));
+  leave_out_lists(work.file("tree.xml"));
+  const std::vector<std::string> files = SyntaxTree(work.file("tree.xml")).files();
   const std::string content = content_of(settings, files);
   std::ofstream names(work.file("files"));
   for (const std::string& file : files) names << file << '\n';

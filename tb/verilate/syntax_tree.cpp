@@ -2,22 +2,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/verilate/syntax_tree.h"
 
+#include <libxml/encoding.h>
 #include <libxml/parser.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "sc/swap/rtl_library.h"
+#include "tb/base/whole_file.h"
 
 namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Verilator writes each byte of UTF-8 as a character of its own.
+std::string bytes(const std::string& text) {
+  std::string all(text.size(), '\0');
+  int size = static_cast<int>(all.size()), read = static_cast<int>(text.size());
+  const bool good = UTF8Toisolat1(reinterpret_cast<unsigned char*>(all.data()), &size,
+                                  reinterpret_cast<const unsigned char*>(text.data()), &read) >= 0;
+  return good ? all.substr(0, static_cast<std::size_t>(size)) : text;
+}
+
+}  // namespace
 
 std::string name_of(Node node) { return reinterpret_cast<const char*>(node->name); }
 
 std::string attribute(Node node, const char* name) {
   xmlChar* text = xmlGetProp(node, reinterpret_cast<const xmlChar*>(name));
-  const std::string value = text ? reinterpret_cast<const char*>(text) : "";
+  const std::string value = text ? bytes(reinterpret_cast<const char*>(text)) : "";
   xmlFree(text);
   return value;
 }
@@ -52,6 +71,17 @@ bool is_number(const std::string& text, long long& value) {
   return true;
 }
 
+void leave_out_lists(const std::string& xml) {
+  const std::string text = whole_file(xml), end = "</files>\n";
+  const auto lists = text.find(end), netlist = text.rfind("<netlist>\n");
+  if (lists == std::string::npos || netlist == std::string::npos || netlist < lists)
+    throw RtlError("Verilator's XML cannot be read: " + xml);
+  std::ofstream out(xml, std::ios::binary);
+  out << text.substr(0, lists + end.size()) << text.substr(netlist);
+  out.close();
+  if (!out) throw RtlError("cannot write " + xml + "; is the disk full?");
+}
+
 SyntaxTree::SyntaxTree(const std::string& xml)
     : document_(xmlReadFile(xml.c_str(), nullptr, XML_PARSE_HUGE | XML_PARSE_NONET), xmlFreeDoc) {
   if (!document_) throw RtlError("Verilator's XML cannot be read: " + xml);
@@ -60,11 +90,24 @@ SyntaxTree::SyntaxTree(const std::string& xml)
     if (kind == "netlist") netlist_ = node;
     if (inside == "typetable") types_[attribute(node, "id")] = node;
     if (kind != "file" || inside != "files") return;
-    const std::string path = attribute(node, "filename");
-    file_by_id_[attribute(node, "id")] = path;
-    if (path[0] != '<') files_.push_back(path);
+    file_by_id_[attribute(node, "id")] = attribute(node, "filename");
   });
   if (!netlist_) throw RtlError("Verilator's XML has no netlist: " + xml);
+  read_files();
+}
+
+// Those of a path with a blank are there whole and, for places in them, up to the blank.
+void SyntaxTree::read_files() {
+  std::error_code ignored;
+  for (const auto& [id, path] : file_by_id_)
+    if (path[0] == '/' && fs::is_regular_file(path, ignored)) files_.push_back(path);
+  std::sort(files_.begin(), files_.end());
+  for (auto& [id, path] : file_by_id_) {
+    std::vector<std::string> whole;
+    for (const std::string& file : files_)
+      if (file.rfind(path + " ", 0) == 0) whole.push_back(file);
+    if (whole.size() == 1 && !fs::exists(path, ignored)) path = whole[0];
+  }
 }
 
 RtlSyntax::Place SyntaxTree::place(Node node, const std::string& name) const {

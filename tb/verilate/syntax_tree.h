@@ -28,6 +28,10 @@ void walk(Node node, const std::function<void(Node)>& visit);
 /// The value of "8'sh7f"; false if it is no whole number.
 bool is_number(const std::string& text, long long& value);
 
+/// Leaves out of the file `xml` what Verilator writes into it as it stands, '&' and '<' too: lists
+/// of modules and cells, which nobody reads. Throws RtlError.
+void leave_out_lists(const std::string& xml);
+
 class SyntaxTree {
  public:
   /// Of the file `xml`. Throws RtlError.
@@ -35,7 +39,7 @@ class SyntaxTree {
 
   /// Modules, packages, interfaces, classes and types.
   Node netlist() const { return netlist_; }
-  /// All files that were read, includes too.
+  /// All files that were read, includes too, as absolute paths.
   const std::vector<std::string>& files() const { return files_; }
   /// Where `node` is, under the name `name`.
   RtlSyntax::Place place(Node node, const std::string& name) const;
@@ -45,6 +49,7 @@ class SyntaxTree {
   int bits(Node node) const;
 
  private:
+  void read_files();
   int bits(const std::string& type) const;
 
   std::unique_ptr<xmlDoc, void (*)(xmlDoc*)> document_;

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -78,6 +79,24 @@ TEST_F(RtlSyntaxTest, ReadsIncludesBesideTheFileAndNamesThem) {
   EXPECT_EQ(syntax.ports.size(), 2u);
   EXPECT_THAT(syntax.files, testing::IsSupersetOf({std::string(folder / "ports.svh"),
                                                    std::string(folder / "mine.sv")}));
+}
+
+TEST_F(RtlSyntaxTest, AFolderMayHaveAnyName) {
+  for (const std::string name : {"R&D <x>", "quoted \"'", "na\u00efve", "a\\b$c#d"}) {
+    const std::string inside = folder / name;
+    std::filesystem::create_directory(inside);
+    std::ofstream(inside + "/ports.svh") << "input clk_i, output o\n";
+    std::ofstream(inside + "/mine.sv")
+        << "module stacks (\n`include \"ports.svh\"\n);\n\\a&<b u ();\n"
+           "initial $system(\"\");\nendmodule\nmodule \\a&<b ; endmodule\n";
+    const RtlSources some{"stacks", {inside + "/mine.sv"}};
+    const RtlSyntax syntax = read_rtl_syntax(some);
+    EXPECT_THAT(syntax.files, testing::IsSupersetOf({inside + "/ports.svh", inside + "/mine.sv"}));
+    EXPECT_EQ(syntax.ports.size(), 2u);
+    EXPECT_THAT(lines(syntax.calls), ElementsAre("5 $system"));
+    std::ofstream(inside + "/ports.svh") << "input clk_i, output o, output p\n";
+    EXPECT_EQ(read_rtl_syntax(some).ports.size(), 3u) << "a change is seen";
+  }
 }
 
 TEST_F(RtlSyntaxTest, TellsRegistersOnTheFallingEdgeAlsoInsideAndUnderAnotherName) {
