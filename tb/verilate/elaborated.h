@@ -15,7 +15,8 @@ struct Elaborated {
   std::string content;  ///< names settings, Verilator and what all files hold that were read
 };
 
-/// Throws RtlError, MissingTool, Interrupted.
+/// What is named is what was read: of files that are saved meanwhile it reads again. Throws
+/// RtlError, MissingTool, Interrupted.
 Elaborated elaborated(const RtlSources& sources);
 
 }  // namespace racebeam

@@ -28,6 +28,8 @@ namespace {
 /// Another one whenever the same sources shall become another plug-in.
 constexpr const char* Recipe = "2";
 
+constexpr int MostAttempts = 5;  // while sources change
+
 void write(const std::string& path, const std::string& text) {
   std::ofstream out(path);
   out << text;
@@ -162,7 +164,14 @@ std::string runtime_object(const std::string& source, const MakingLine& line) {
   });
 }
 
-void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
+/// A source was saved while it was read.
+struct Changed {};
+
+/// The plug-in of what `elaborated` has named `content`. Throws Changed if that is not what was
+/// read.
+void make(RtlSources sources, const std::string& content, const std::string& out) {
+  const RtlSources whole = sources;
+  const RtlSyntax syntax = read_rtl_syntax(sources);
   const MakingLine line(sources.top, sources.files);
   std::vector<std::string> objects = {runtime_object("verilated.cpp", line),
                                       runtime_object("verilated_threads.cpp", line)};
@@ -175,6 +184,7 @@ void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
     sources.parameters.clear();
   }
   const auto circular = circular_signals(write_rtl_classes(sources, work.path(), line.tick()));
+  if (elaborated(whole).content != content) throw Changed();
   std::vector<std::string> classes;
   for (const auto& entry : fs::directory_iterator(work.path()))
     if (entry.path().extension() == ".cpp") classes.push_back(entry.path().filename());
@@ -195,13 +205,18 @@ void make(RtlSources sources, const RtlSyntax& syntax, const std::string& out) {
 }  // namespace
 
 std::string rtl_plugin(const RtlSources& sources) {
-  const std::string content = elaborated(sources).content;
-  const std::string key = content_key(
-      {Recipe, content, sources.kind == RtlSources::Chip ? "chip" : "unit",
-       sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
-       file_key(project_folder() + "/sc/swap/rtl_model.h"), file_key(runtime_header())});
-  return cached(key + ".so",
-                [&](const std::string& out) { make(sources, read_rtl_syntax(sources), out); });
+  for (int attempt = 0; attempt < MostAttempts; ++attempt) {
+    const std::string content = elaborated(sources).content;
+    const std::string key = content_key(
+        {Recipe, content, sources.kind == RtlSources::Chip ? "chip" : "unit",
+         sources.signals ? "signals" : "ports", compiler(), file_key(glue_file()),
+         file_key(project_folder() + "/sc/swap/rtl_model.h"), file_key(runtime_header())});
+    try {
+      return cached(key + ".so", [&](const std::string& out) { make(sources, content, out); });
+    } catch (const Changed&) {  // again, with what is there now
+    }
+  }
+  throw RtlError("the files of " + sources.top + " change while they are verilated; try again");
 }
 
 }  // namespace racebeam
