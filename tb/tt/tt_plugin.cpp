@@ -14,6 +14,7 @@
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
+#include "tb/verilate/rtl_warnings.h"
 
 namespace racebeam {
 
@@ -94,7 +95,9 @@ std::string tt_plugin(const TtProject& project, bool trust, bool signals) {
   sources.signals = signals;
   try {
     if (!trust) check_trust(read_rtl_syntax(sources), sources, project);
-    return rtl_plugin(sources);
+    const std::string plugin = rtl_plugin(sources);
+    warn_of_circular_logic(rtl_library(plugin).model());
+    return plugin;
   } catch (const RtlError& error) {
     const std::string text = error.what(), more = hint(project);
     throw RtlError(more.empty() ? text : text + (text.back() == '\n' ? "" : "\n") + more);

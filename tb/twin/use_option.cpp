@@ -7,10 +7,9 @@
 #include <sstream>
 
 #include "sc/swap/rtl_library.h"
-#include "sc/swap/rtl_remarks.h"
-#include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
+#include "tb/verilate/rtl_warnings.h"
 #include "tb/verilate/source_list.h"
 
 namespace racebeam {
@@ -30,11 +29,11 @@ bool is_taped_out(const knobs& k) {
   return true;
 }
 
-/// Says what the contract does not know.
+/// Says what the contract does not know and what may be computed wrongly.
 std::string checked(const std::string& plugin) {
-  for (const std::string& place : remarks_of(rtl_library(plugin).model(), "falling"))
-    tell("warning: " + place +
-         " changes on the falling edge of the clock; half a clock is not the contract");
+  const rtl_library library(plugin);
+  warn_of_falling_edges(library.model());
+  warn_of_circular_logic(library.model());
   return plugin;
 }
 

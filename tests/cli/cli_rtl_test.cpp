@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -178,6 +179,25 @@ TEST_F(CliRtlTest, AKnobThatTheRtlLacksIsNamed) {
   Program usual(folder.path(), verify("interval_fifo=mine.sv"));
   EXPECT_EQ(usual.wait(), 0) << usual.err();
   EXPECT_THAT(usual.err(), Not(HasSubstr("no parameter")));
+}
+
+TEST_F(CliRtlTest, AVectorThatFeedsItselfBitByBitIsAWarning) {
+  std::string text = changed("stacks", "fread_o = '0;", "fread_o = chain[3] ? '1 : '0;");
+  const auto at = text.find("  // The top is the entry below sp");
+  ASSERT_NE(at, std::string::npos);
+  const std::string line = std::to_string(std::count(text.begin(), text.begin() + at, '\n') + 1);
+  text.insert(at, "  wire [3:0] chain = {chain[2:0] & {3{sp_i[0]}}, 1'b0};  // 0\n");
+  write("mine.sv", text);
+  const std::string warning =
+      "warning: mine.sv:" + line +
+      " stacks.chain: depends on itself without a register between, perhaps "
+      "bit by bit; Verilator may compute it wrongly: break the vector into "
+      "wires";
+  expect(0, verify("stacks=mine.sv"), warning);
+  expect(0, {"render", "demo", "--frames", "1", "--crc", "--use", "stacks=mine.sv"}, warning);
+  Program own(folder.path(), verify("all"));
+  EXPECT_EQ(own.wait(), 0) << own.err();
+  EXPECT_THAT(own.err(), Not(HasSubstr("warning")));
 }
 
 TEST_F(CliRtlTest, AWrongPortNamesTheFile) {

@@ -190,6 +190,16 @@ TEST_F(CliTtTraitsTest, RunsNoCommandsOfStrangers) {
   EXPECT_TRUE(fs::exists(folder / "touched")) << "the command runs in the folder of the sources";
 }
 
+TEST_F(CliTtTraitsTest, WarnsOfAVectorThatFeedsItselfBitByBit) {
+  expect_bars({}, 0, {}, "warning");
+  change("src/tt_um_bars.v", "assign uio_oe = 8'h80;",
+         "wire [3:0] chain = {chain[2:0] & ui_in[2:0], 1'b0};  // 0\n"
+         "  assign uio_oe = 8'h80 | {8{chain[3]}};");
+  expect_bars({}, 0,
+              {"warning: bars/src/tt_um_bars.v:38 tt_um_bars.chain: depends on itself without a "
+               "register between"});
+}
+
 TEST_F(CliTtTraitsTest, ReadsNothingOutsideOfTheFolder) {
   write("outside.v", "`define OUTSIDE 1\n");
   change("src/tt_um_bars.v", "`default_nettype none", "`include \"../../outside.v\"");

@@ -42,6 +42,7 @@ class NetlistTest : public testing::TestWithParam<const char*> {
     if (HasFatalFailure()) return;
     Program run(folder.path(), verify(unit, of_scene_file ? Words{"--scene", Scene} : Words()));
     ASSERT_EQ(run.wait(), 0) << run.err();
+    EXPECT_THAT(run.err(), testing::Not(testing::HasSubstr("warning")));
     const auto rows = run.json()["units"];
     for (const auto& row : rows) {
       EXPECT_EQ(row["differences"], 0);
