@@ -4,70 +4,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <thread>
-
-#include "tb/verilate/project_folder.h"
-#include "tests/cli/program.h"
+#include "tests/cli/cli_rtl_bench.h"
 
 namespace racebeam {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::vector<std::string> Short = {"--frames", "0", "--random", "2000"};
-
-class CliRtlTest : public testing::Test {
- protected:
-  static std::vector<std::string> verify(const std::string& word,
-                                         const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = {"verify", word};
-    words.insert(words.end(), Short.begin(), Short.end());
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder / name) << text;
-  }
-  /// The unit's own text with one place changed.
-  static std::string changed(const std::string& unit, const std::string& from,
-                             const std::string& to) {
-    std::string text = read_file(rtl_file(unit));
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-  }
-  void expect(int code, const std::vector<std::string>& words, const std::string& said = "") {
-    Program run(folder.path(), words);
-    EXPECT_EQ(run.wait(), code) << run.err();
-    EXPECT_THAT(run.err(), HasSubstr(said));
-  }
-  /// A cache of this test alone.
-  Program::Setting own_cache() const {
-    Program::Setting setting;
-    setting.environment = "RACEBEAM_CACHE=" + cache();
-    return setting;
-  }
-  std::string cache() const { return folder / "cache"; }
-  int in_cache(const std::string& extension) const {
-    int found = 0;
-    for (const auto& entry : fs::directory_iterator(cache()))
-      found += entry.path().extension() == extension &&
-               entry.path().filename().string().rfind("lock", 0) != 0;
-    return found;
-  }
-  /// The stacks with a constant 1 that comes from elsewhere.
-  static std::string stacks_with(const std::string& one) {
-    return changed("stacks", "(n + 1) % IntervalStackDepth",
-                   "(n + " + one + ") % IntervalStackDepth");
-  }
-
-  ScratchFolder folder;
-};
 
 TEST_F(CliRtlTest, ATwinIsVerilatedWhenFirstNeededAndKept) {
   Program first(folder.path(), verify("stacks"), own_cache());
@@ -97,7 +40,7 @@ TEST_F(CliRtlTest, CtrlCWhileVerilatingEndsWith130AndLeavesNothing) {
       if (entry.path().filename().string().rfind("work.", 0) == 0) return true;
     return false;
   };
-  while (!working()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(becomes_true(working));
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), 130);
   EXPECT_FALSE(working());
@@ -112,7 +55,7 @@ TEST_F(CliRtlTest, WhatAKilledProgramHasStartedDiesWithIt) {
   setting.environment = "PATH=" + (folder / "bin") + ":" + std::getenv("PATH");
   Program run(folder.path(), verify("stacks=" + rtl_file("scene")), setting);
   const std::string file = folder / "bin/verilator.id";
-  for (int n = 0; n < 6000 && !fs::exists(file); ++n) usleep(10'000);
+  ASSERT_TRUE(becomes_true([&] { return fs::exists(file); }));
   const int started = std::stoi(read_file(file));
   const auto lives = [&] {
     return !read_file("/proc/" + std::to_string(started) + "/cmdline").empty();
@@ -120,55 +63,7 @@ TEST_F(CliRtlTest, WhatAKilledProgramHasStartedDiesWithIt) {
   ASSERT_TRUE(lives());
   run.signal(SIGKILL);
   EXPECT_EQ(run.wait(), -SIGKILL);
-  for (int n = 0; n < 6000 && lives(); ++n) usleep(10'000);
-  EXPECT_FALSE(lives());
-}
-
-TEST_F(CliRtlTest, AnIncludeBesideTheFileIsFoundAndItsChangeIsSeen) {
-  fs::create_directory(folder / "rtl");
-  write("rtl/mine.sv", "`include \"one.svh\"\n" + stacks_with("`ONE"));
-  write("rtl/one.svh", "`define ONE 1\n");
-  expect(0, verify("stacks=rtl/mine.sv"));
-  write("rtl/one.svh", "`define ONE 0\n");
-  expect(1, verify("stacks=rtl/mine.sv"), "differs");
-  write("rtl/one.svh", "`define ONE 1\n");
-  expect(0, verify("stacks=rtl/mine.sv"));
-}
-
-TEST_F(CliRtlTest, AUnitMayBeSeveralFiles) {
-  write("a.sv", stacks_with("one::One"));
-  write("b.sv", "package one;\n  localparam int One = 1;\nendpackage\n");
-  expect(0, verify("stacks=b.sv+a.sv"));
-  expect(2, verify("stacks=a.sv"), "cannot be verilated");
-  expect(2, verify("stacks=b.sv+none.sv"), "there is no file 'none.sv' for the unit stacks");
-}
-
-TEST_F(CliRtlTest, AModuleThatNoFileHasIsFoundBesideThem) {
-  write("mine.sv", stacks_with("one"));
-  std::string text = read_file(folder / "mine.sv");
-  text.insert(text.rfind("endmodule"), "  wire [31:0] one;\n  the_one u_one (.one);\n");
-  write("mine.sv", text);
-  write("the_one.sv", "module the_one (output [31:0] one);\n  assign one = 1;\nendmodule\n");
-  expect(0, verify("stacks=mine.sv"));
-}
-
-TEST_F(CliRtlTest, AListHasFilesFoldersAndDefines) {
-  fs::create_directories(folder / "ip/inc");
-  write("ip/mine.sv", "`include \"one.svh\"\n" + stacks_with("`ONE - `TWO"));
-  write("ip/inc/one.svh", "`define ONE 3\n");
-  write("ip/mine.f", "# my stacks\n+incdir+inc\n+define+TWO=2 // less\nmine.sv\n");
-  expect(0, verify("stacks=ip/mine.f"));
-  write("ip/mine.f", "-I inc -DTWO=3\nmine.sv\n");
-  expect(1, verify("stacks=ip/mine.f"), "differs");
-  write("ip/mine.f", "-I inc\n--two 3\nmine.sv\n");
-  expect(2, verify("stacks=ip/mine.f"), "ip/mine.f:2: what is --two?");
-}
-
-TEST_F(CliRtlTest, AFolderStandsForItsFiles) {
-  fs::create_directory(folder / "ip");
-  write("ip/a.sv", stacks_with("one_pkg::One"));
-  write("ip/one_pkg.sv", "package one_pkg;\n  localparam int One = 1;\nendpackage\n");
-  expect(0, verify("stacks=ip"));
+  EXPECT_TRUE(becomes_true([&] { return !lives(); }));
 }
 
 TEST_F(CliRtlTest, AKnobThatTheRtlLacksIsNamed) {
@@ -179,25 +74,6 @@ TEST_F(CliRtlTest, AKnobThatTheRtlLacksIsNamed) {
   Program usual(folder.path(), verify("interval_fifo=mine.sv"));
   EXPECT_EQ(usual.wait(), 0) << usual.err();
   EXPECT_THAT(usual.err(), Not(HasSubstr("no parameter")));
-}
-
-TEST_F(CliRtlTest, AVectorThatFeedsItselfBitByBitIsAWarning) {
-  std::string text = changed("stacks", "fread_o = '0;", "fread_o = chain[3] ? '1 : '0;");
-  const auto at = text.find("  // The top is the entry below sp");
-  ASSERT_NE(at, std::string::npos);
-  const std::string line = std::to_string(std::count(text.begin(), text.begin() + at, '\n') + 1);
-  text.insert(at, "  wire [3:0] chain = {chain[2:0] & {3{sp_i[0]}}, 1'b0};  // 0\n");
-  write("mine.sv", text);
-  const std::string warning =
-      "warning: mine.sv:" + line +
-      " stacks.chain: depends on itself without a register between, perhaps "
-      "bit by bit; Verilator may compute it wrongly: break the vector into "
-      "wires";
-  expect(0, verify("stacks=mine.sv"), warning);
-  expect(0, {"render", "demo", "--frames", "1", "--crc", "--use", "stacks=mine.sv"}, warning);
-  Program own(folder.path(), verify("all"));
-  EXPECT_EQ(own.wait(), 0) << own.err();
-  EXPECT_THAT(own.err(), Not(HasSubstr("warning")));
 }
 
 TEST_F(CliRtlTest, AWrongPortNamesTheFile) {
@@ -254,17 +130,6 @@ TEST_F(CliRtlTest, WithoutAHomeTheCacheIsAmongTemporaryFiles) {
   EXPECT_THAT(nowhere.err(), HasSubstr("set TMPDIR or RACEBEAM_CACHE"));
 }
 
-TEST_F(CliRtlTest, VerilateMakesAPluginForOthersAndSaysWhatItRead) {
-  write("mine.sv", "`include \"one.svh\"\n" + stacks_with("`ONE"));
-  write("one.svh", "`define ONE 1\n");
-  expect(0, {"verilate", "stacks", "mine.sv", "-o", "mine.so", "--depfile", "mine.d"});
-  const std::string rule = read_file(folder / "mine.d");
-  EXPECT_EQ(rule.rfind("mine.so: ", 0), 0u) << rule;
-  EXPECT_THAT(rule, HasSubstr("/one.svh"));
-  expect(0, verify("stacks=mine.so"));
-  expect(2, {"verilate", "stacks", "none.sv", "-o", "mine.so"}, "there is no file 'none.sv'");
-}
-
 TEST_F(CliRtlTest, WatchRunsAgainWhenAnEditorReplacesAnInclude) {
   write("mine.sv", "`include \"one.svh\"\n" + stacks_with("`ONE"));
   write("one.svh", "`define ONE 1\n");
@@ -272,15 +137,14 @@ TEST_F(CliRtlTest, WatchRunsAgainWhenAnEditorReplacesAnInclude) {
   Program::Setting setting;
   setting.stdout_path = said;
   Program run(folder.path(), verify("stacks=mine.sv", {"--watch", "--json"}), setting);
-  const auto wait_for = [&](const std::string& text) {
-    while (read_file(said).find(text) == std::string::npos)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const auto has_said = [&](const std::string& text) {
+    return becomes_true([&] { return read_file(said).find(text) != std::string::npos; });
   };
-  wait_for("\"differences\": 0");
-  while (run.children() != 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_TRUE(has_said("\"differences\": 0"));
+  ASSERT_TRUE(becomes_true([&] { return run.children() == 0; }));
   write("fresh", "`define ONE 0\n");
   fs::rename(folder / "fresh", folder / "one.svh");
-  wait_for("\"differences\": 1");
+  EXPECT_TRUE(has_said("\"differences\": 1"));
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), 130);
   EXPECT_THAT(run.err(), HasSubstr("waiting until mine.sv or one of "));
