@@ -48,14 +48,21 @@ void copy_whole(const std::string& from, const std::string& to) {
   out.commit();
 }
 
-/// "OUT: FILE FILE", with the spaces of names escaped.
-std::string rule(const std::string& out, const std::vector<std::string>& files) {
-  std::string text = out + ":";
-  for (const std::string& file : files) {
-    text += " ";
-    for (const char c : file)
-      text += c == ' ' || c == '#' ? std::string("\\") + c : std::string(1, c);
+/// A name as make, ninja and cmake read it in rules.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == ' ' || c == '#') text += '\\';
+    if (c == '$') text += '$';
+    text += c;
   }
+  return text;
+}
+
+/// "OUT: FILE FILE".
+std::string rule(const std::string& out, const std::vector<std::string>& files) {
+  std::string text = escaped(out) + ":";
+  for (const std::string& file : files) text += " " + escaped(file);
   return text + "\n";
 }
 

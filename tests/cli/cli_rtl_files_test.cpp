@@ -3,6 +3,8 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 
 #include "tests/cli/cli_rtl_bench.h"
 
@@ -87,6 +89,27 @@ TEST_F(CliRtlTest, VerilateMakesAPluginForOthersAndSaysWhatItRead) {
   EXPECT_THAT(rule, HasSubstr("/one.svh"));
   expect(0, verify("stacks=mine.so"));
   expect(2, {"verilate", "stacks", "none.sv", "-o", "mine.so"}, "there is no file 'none.sv'");
+}
+
+TEST_F(CliRtlTest, NinjaReadsTheDepfileWhateverTheNamesAre) {
+  fs::create_directory(folder / "my $x #1");
+  write("my $x #1/mine.sv", "`include \"one.svh\"\n" + stacks_with("`ONE"));
+  write("my $x #1/one.svh", "`define ONE 1\n");
+  write("build.ninja",
+        "rule rtl\n  command = '" RACEBEAM_BINARY
+        "' verilate stacks 'my $$x #1/mine.sv' -o $out --depfile mine.d\n  depfile = mine.d\n"
+        "build my$ $$o#.so: rtl\n");
+  const auto ninja = [&] {
+    const std::string command = "cd '" + folder.path() + "' && ninja >said 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << read_file(folder / "said");
+    return read_file(folder / "said");
+  };
+  EXPECT_THAT(ninja(), HasSubstr("[1/1]"));
+  EXPECT_TRUE(fs::exists(folder / "my $o#.so"));
+  EXPECT_THAT(ninja(), HasSubstr("no work to do"));
+  const fs::path include = folder / "my $x #1/one.svh";
+  fs::last_write_time(include, fs::last_write_time(folder / "my $o#.so") + std::chrono::seconds(2));
+  EXPECT_THAT(ninja(), HasSubstr("[1/1]"));
 }
 
 }  // namespace
