@@ -73,10 +73,15 @@ class Reader {
     int number = 0;
     for (std::string line; std::getline(in, line);) {
       const std::string where = list.string() + ":" + std::to_string(++number) + ": ";
-      std::istringstream words(line.substr(0, std::min(line.find("//"), line.find('#'))));
-      for (std::string word; words >> word;) read_word(word, words, list.parent_path(), where);
+      std::istringstream words(line);
+      for (std::string word; next(words, word);) read_word(word, words, list.parent_path(), where);
     }
     --depth_;
+  }
+
+  /// A comment begins where a word could, and ends with the line.
+  static bool next(std::istringstream& words, std::string& word) {
+    return (words >> word) && word[0] != '#' && word.rfind("//", 0) != 0;
   }
 
   void read_word(const std::string& word, std::istringstream& rest, const fs::path& folder,
@@ -103,7 +108,7 @@ class Reader {
     if (word.size() < 2 || Known.find(word[1]) == std::string::npos)
       throw UsageError(where + "what is " + word + "? (there is -f, -v, -y, -I, -D, -G)");
     std::string value = word.substr(2);
-    if (value.empty() && !(rest >> value)) throw UsageError(where + word + " of what?");
+    if (value.empty() && !next(rest, value)) throw UsageError(where + word + " of what?");
     switch (word[1]) {
       case 'v': sources_.libraries.push_back(path(value)); break;
       case 'y': sources_.libraries.push_back(path(value)); break;

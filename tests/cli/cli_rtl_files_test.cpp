@@ -54,6 +54,20 @@ TEST_F(CliRtlTest, AListHasFilesFoldersAndDefines) {
   expect(2, verify("stacks=ip/mine.f"), "ip/mine.f:2: what is --two?");
 }
 
+TEST_F(CliRtlTest, ACommentInAListBeginsAWord) {
+  fs::create_directory(folder / "ip");
+  std::string text = stacks_with("one");
+  text.insert(text.rfind("endmodule"), "  wire [31:0] one;\n  constant `SET u_one (.one);\n");
+  write("ip/mine.sv", text +
+                          "module constant #(parameter N = 0) (output [31:0] one);\n"
+                          "  assign one = N;\nendmodule\n");
+  write("ip/broken.sv", "module");
+  write("mine.f", "+define+SET=#(1) # one\n#ip/none.sv\nip//mine.sv //none.sv\n// none.sv\n");
+  expect(0, verify("stacks=mine.f"));
+  write("mine.f", "-D # SET\n");
+  expect(2, verify("stacks=mine.f"), "mine.f:1: -D of what?");
+}
+
 TEST_F(CliRtlTest, AFolderStandsForItsFiles) {
   fs::create_directory(folder / "ip");
   write("ip/a.sv", stacks_with("one_pkg::One"));
