@@ -66,7 +66,7 @@ std::string find_folder() {
                                          : fs::path();
   if (!users.empty() && make_writable(users).empty()) return fs::absolute(users);
   const std::string named = variable("TMPDIR");
-  const fs::path temporaries(named.empty() ? "/tmp" : named);
+  const fs::path temporaries = fs::absolute(named.empty() ? "/tmp" : named);
   const fs::path temporary = temporaries / ("racebeam-" + std::to_string(geteuid()));
   std::error_code error;
   const std::string why = fs::is_directory(temporaries, error) ? make_writable(temporary)

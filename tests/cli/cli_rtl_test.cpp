@@ -124,6 +124,11 @@ TEST_F(CliRtlTest, WithoutAHomeTheCacheIsAmongTemporaryFiles) {
   Program run(folder.path(), verify("stacks"), setting);
   EXPECT_EQ(run.wait(), 0) << run.err();
   EXPECT_TRUE(fs::exists(folder / ("racebeam-" + std::to_string(geteuid()))));
+  fs::create_directory(folder / "tmp");
+  setting.environment = "TMPDIR=tmp";
+  Program relative(folder.path(), verify("stacks"), setting);
+  EXPECT_EQ(relative.wait(), 0) << relative.err();
+  EXPECT_TRUE(fs::exists(folder / ("tmp/racebeam-" + std::to_string(geteuid()))));
   setting.environment = "TMPDIR=/nonexistent";
   Program nowhere(folder.path(), verify("stacks"), setting);
   EXPECT_EQ(nowhere.wait(), 2);
