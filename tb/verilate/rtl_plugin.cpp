@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Another one whenever the same sources shall become another plug-in.
-constexpr const char* Recipe = "2";
+constexpr const char* Recipe = "3";
 
 constexpr int MostAttempts = 5;  // while sources change
 
@@ -107,11 +107,24 @@ std::string c_string(const std::string& text) {
   return out + "\"";
 }
 
+std::string text_of(const RtlSyntax::Place& place) {
+  return place.file + ":" + std::to_string(place.line) + " " + place.name;
+}
+
+/// "FILE:LINE NAME" as the RTL has it, of a signal that may be a port of the wrapper.
+std::string of_rtl(const std::string& signal, const std::string& wrapper, const RtlSyntax& syntax) {
+  if (signal.rfind(wrapper + ":", 0) != 0) return signal;
+  const std::string name = signal.substr(signal.find_last_of(" .") + 1);
+  for (const RtlSyntax::Port& port : syntax.ports)
+    if (port.name == name) return text_of(port.place);
+  return text_of(syntax.top);
+}
+
 /// KIND FILE:LINE NAME, one a line.
 std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& circular) {
   std::string text;
   const auto add = [&](const std::string& kind, const RtlSyntax::Place& place) {
-    text += kind + " " + place.file + ":" + std::to_string(place.line) + " " + place.name + "\n";
+    text += kind + " " + text_of(place) + "\n";
   };
   add("top", syntax.top);
   for (const std::string& file : syntax.files) add("file", {file, 1, "-"});
@@ -183,7 +196,8 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     sources.top = Wrapper;
     sources.parameters.clear();
   }
-  const auto circular = circular_signals(write_rtl_classes(sources, work.path(), line.tick()));
+  auto circular = circular_signals(write_rtl_classes(sources, work.path(), line.tick()));
+  for (std::string& signal : circular) signal = of_rtl(signal, work.file("wrapper.sv"), syntax);
   if (elaborated(whole).content != content) throw Changed();
   std::vector<std::string> classes;
   for (const auto& entry : fs::directory_iterator(work.path()))

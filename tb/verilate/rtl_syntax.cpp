@@ -64,7 +64,8 @@ void SyntaxReader::read_top() {
     if (name_of(node) != "var") continue;
     const std::string name = attribute(node, "name"), direction = attribute(node, "dir");
     if (!direction.empty()) {
-      syntax_.ports.push_back({name, direction, tree_.bits(node)});
+      const RtlSyntax::Place place = tree_.place(node, syntax_.top.name + "." + name);
+      syntax_.ports.push_back({name, direction, tree_.bits(node), place});
       if (direction == "input" && (name == "clk_i" || name == "clk")) syntax_.clock = name;
     }
     if (attribute(node, "param") != "true") continue;

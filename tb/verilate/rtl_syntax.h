@@ -22,6 +22,7 @@ struct RtlSyntax {
   struct Port {
     std::string name, direction;  ///< direction: "input", "output" or "inout"
     int bits = 1;
+    Place place;  ///< named TOP.NAME
   };
   struct Parameter {
     std::string name, value;  ///< value: of a whole number in decimal, of others empty

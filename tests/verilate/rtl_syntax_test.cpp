@@ -229,6 +229,16 @@ TEST_F(RtlSyntaxTest, PluginHasPortsParametersAndRemarks) {
   EXPECT_THAT(model.remarks, testing::ContainsRegex("circular .*mine.sv:4 .*[xy]\n"));
 }
 
+TEST_F(RtlSyntaxTest, APortThatFeedsItselfIsNamedAsTheRtlHasIt) {
+  const rtl_library library(rtl_plugin(sources(R"(module stacks (
+    input clk_i, input [3:0] a,
+    output [3:0] b);
+    assign b = {b[2:0] ^ a[2:0], a[3]};
+  endmodule)")));
+  const std::string place = "circular " + (folder / "mine.sv") + ":3 stacks.b\n";
+  EXPECT_THAT(library.model().remarks, HasSubstr(place));
+}
+
 /// Of a port of one byte.
 int value(const rtl_port& port) { return *static_cast<const unsigned char*>(port.data); }
 void set(const rtl_port& port, int value) {
