@@ -6,11 +6,15 @@
 
 #include <charconv>
 #include <optional>
+#include <utility>
 
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
+#include "tb/base/output_file.h"
 #include "tb/explain/explain_json.h"
 #include "tb/explain/explain_text.h"
+#include "tb/explain/figures.h"
+#include "tb/explain/glossary.h"
 #include "tb/show/open_show.h"
 #include "tb/show/set_knob.h"
 
@@ -45,21 +49,71 @@ Pixel pixel_of(const std::string& text) {
   return {*column, *row};
 }
 
-}  // namespace
+/// The show, frame, pixel and knobs that are asked about.
+struct Subject {
+  Show show;
+  knobs k;
+  int frame;
+  Pixel pixel;
+};
 
-int command_explain(const ExplainOptions& options) {
+Subject subject_of(const ExplainOptions& options) {
   const Pixel pixel = pixel_of(options.pixel);
-  const Show show = open_show(options.scene);
+  Show show = open_show(options.scene);
   if (options.frame < 0 || options.frame >= show.frames())
     throw UsageError(
         fmt::format("--frame {} is out of range; 0..{}", options.frame, show.frames() - 1));
   knobs k = show.standard_knobs();
   set_knobs(k, options.assignments);
+  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
+  return {std::move(show), k, static_cast<int>(options.frame), pixel};
+}
+
+int explain_pixel(const ExplainOptions& options) {
+  const char* const missing = options.scene.empty()              ? "a scene"
+                              : options.frame == options.NoFrame ? "--frame"
+                              : options.pixel.empty()            ? "--pixel"
+                                                                 : nullptr;
+  if (missing)
+    throw UsageError(
+        fmt::format("{} is required, as in `racebeam explain demo --frame 1000 --pixel 320,240`; "
+                    "or --figure, --word; see `racebeam explain --help`",
+                    missing));
+  const Subject s = subject_of(options);
   std::string repeat = options.scene;
   for (const std::string& assignment : options.assignments) repeat += " --set " + assignment;
-  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
-  const Explanation e(show, k, static_cast<int>(options.frame), pixel.column, pixel.row);
-  print(options.json ? explain_json(e, k, repeat) : explain_text(e, repeat));
+  const Explanation e(s.show, s.k, s.frame, s.pixel.column, s.pixel.row);
+  print(options.json ? explain_json(e, s.k, repeat) : explain_text(e, repeat));
+  return ExitGood;
+}
+
+int draw_figure(ExplainOptions options) {
+  const Figure& wanted = figure(options.figure);
+  if (options.output.empty()) throw UsageError("--figure needs -o FILE.svg");
+  if (extension_of(options.output) != ".svg")
+    throw UsageError("--figure writes .svg; rename " + options.output);
+  if (options.scene.empty()) options.scene = "demo";
+  if (options.frame == options.NoFrame) options.frame = 700;
+  if (options.pixel.empty()) options.pixel = "185,100";
+  const Subject s = subject_of(options);
+  if (s.pixel.column == 0)
+    throw UsageError("no ray is shown in column 0, which is the FIFO's; X is 1..639 for a figure");
+  write_text(options.output, wanted.draw({s.show, s.k, s.frame, s.pixel.row + FirstVisibleLine,
+                                          s.pixel.column - 1}));
+  tell(fmt::format("wrote {}: {}", options.output, wanted.meaning));
+  return ExitGood;
+}
+
+}  // namespace
+
+int command_explain(const ExplainOptions& options) {
+  if (options.words) {
+    print(words_text(glossary()));
+  } else if (!options.word.empty()) {
+    print(words_text({glossary_word(options.word)}));
+  } else {
+    return options.figure.empty() ? explain_pixel(options) : draw_figure(options);
+  }
   return ExitGood;
 }
 

@@ -1,9 +1,11 @@
-// `racebeam explain`: why a pixel is as it is, down to the clocks that made it.
+// `racebeam explain`: why a pixel is as it is, down to the clocks that made it; figures of what the
+// tracer computes for it; and the words for all that.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,9 +13,13 @@ namespace racebeam {
 
 /// The command line as it was written.
 struct ExplainOptions {
-  std::string scene;
-  long long frame = 0;
-  std::string pixel;  ///< "X,Y"
+  static constexpr long long NoFrame = std::numeric_limits<long long>::min();
+  std::string scene;          ///< empty: not given
+  long long frame = NoFrame;  ///< NoFrame: not given
+  std::string pixel;          ///< "X,Y"; empty: not given
+  std::string figure, output;
+  std::string word;
+  bool words = false;
   std::vector<std::string> assignments;
   bool json = false;
 };

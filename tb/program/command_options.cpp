@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/explain/figures.h"
 #include "tb/program/number_option.h"
 
 namespace racebeam {
@@ -282,21 +283,31 @@ void add_view(CLI::App& app, ViewOptions& options) {
 void add_explain(CLI::App& app, ExplainOptions& options) {
   CLI::App* explain = app.add_subcommand(
       "explain", "Why a pixel is as it is: its interval, the wall it hits, the clocks it took");
-  explain->add_option("scene", options.scene, "demo, or a scene file")
-      ->required()
-      ->type_name("SCENE");
+  explain->add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
   add_number(*explain, "--frame", options.frame, "Frame of the scene, from 0",
-             is_number("--frame", FirstRange))
-      ->required();
+             is_number("--frame", FirstRange));
   explain
       ->add_option("--pixel", options.pixel,
                    "Pixel of the picture: 0..639,0..479 from the top left")
-      ->required()
       ->type_name("X,Y");
   explain->add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);
   explain->add_flag("--json", options.json, "JSON on stdout instead of the text");
+  CLI::Option* const figure =
+      explain
+          ->add_option("--figure", options.figure,
+                       "Draw instead, of pixel 185,100 of frame 700 of the demo unless told "
+                       "otherwise: " +
+                           figure_names())
+          ->type_name("NAME");
+  explain->add_option("-o,--output", options.output, "Where to: FILE.svg")
+      ->type_name("FILE")
+      ->needs(figure);
+  explain->add_option("--word", options.word, "Explain a word instead, such as slack")
+      ->type_name("WORD")
+      ->excludes(figure);
+  explain->add_flag("--words", options.words, "Explain all words instead")->excludes(figure);
 }
 
 }  // namespace racebeam
