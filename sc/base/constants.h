@@ -7,7 +7,7 @@
 
 namespace racebeam {
 
-// Raster: 800 x 525 pixels (seed 000 "640x480 60 fps", contract section 3).
+// Raster: 800 x 525 pixels (contract section 3).
 constexpr int LinePixels = 800;  // pixel positions in a line, blanking included
 constexpr int FrameLines = 525;  // lines in a frame, blanking included
 constexpr int VisibleColumns = 640;

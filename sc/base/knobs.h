@@ -1,7 +1,7 @@
 // What an architect may change, and the table that names it.
 //
 // The table drives the command line, its help, the checks, the statistics file and the manifest.
-// The defaults are the taped-out chip. Source: architecture page "Knobs", contract section 3.
+// The defaults are the taped-out chip. Source: docs/explore.md, contract section 3.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -15,7 +15,7 @@
 // Knobs   dr_bits scales full scale.
 // Twin    rtl/beam/camera_unit.sv
 // Test    tests/beam/camera_unit_test.cpp
-// Source  contract section 7; seed 000 "Camera view calculations".
+// Source  contract section 7; article "Camera view calculations".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

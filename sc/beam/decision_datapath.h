@@ -24,7 +24,7 @@
 //         portals_per_face.
 // Twin    rtl/beam/decision_datapath.sv
 // Test    tests/beam/decision_datapath_test.cpp
-// Source  contract section 11; seed 000 "Geometry tests", "Subdeterminant calculation".
+// Source  contract section 11; article "Geometry tests", "Subdeterminant calculation".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

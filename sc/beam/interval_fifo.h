@@ -16,7 +16,7 @@
 // Knobs   fifo_entries, fifo_short_length_bits.
 // Twin    rtl/beam/interval_fifo.sv
 // Test    tests/beam/interval_fifo_test.cpp
-// Source  contract section 14; seed 000 "Interval FIFO".
+// Source  contract section 14; article "Interval FIFO".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

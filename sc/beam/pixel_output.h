@@ -13,7 +13,7 @@
 // Knobs   dithering, dr_bits.
 // Twin    rtl/beam/pixel_output.sv
 // Test    tests/beam/pixel_output_test.cpp
-// Source  contract sections 4, 15, 17.4, 17.5; seed 000 "Interval FIFO" (dithering).
+// Source  contract sections 4, 15, 17.4, 17.5; article "Interval FIFO" (dithering).
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

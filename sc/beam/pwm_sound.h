@@ -21,7 +21,7 @@
 // Knobs   none; right only at the default clocks_per_pixel, 2, where x2 counts clocks.
 // Twin    rtl/beam/pwm_sound.sv
 // Test    tests/beam/pwm_sound_test.cpp
-// Source  contract section 16 (interface); seed 000 S0-05, S0-104. Voices and tune are our own.
+// Source  contract section 16 (interface). Voices and tune are our own.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

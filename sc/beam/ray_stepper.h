@@ -14,7 +14,7 @@
 //         midpoint asks for sizes that are not powers of two, taken bit by bit in one clock.
 // Twin    rtl/beam/ray_stepper.sv
 // Test    tests/beam/ray_stepper_test.cpp
-// Source  contract section 8; seed 000 "Stepping the dr vector" and its appendix.
+// Source  contract section 8; article "Stepping the dr vector" and its appendix.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -13,7 +13,7 @@
 // Reset   none.
 // Twin    rtl/beam/scene.sv
 // Test    tests/beam/scene_test.cpp
-// Source  contract sections 12 and 17.2; seed 000 "Scene structure".
+// Source  contract sections 12 and 17.2; article "Scene structure".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -13,7 +13,7 @@
 // Reset   none. A room that the table does not have is of size 0, at 0, and solid.
 // Twin    rtl/beam/scene_rom.sv
 // Test    tests/beam/scene_rom_test.cpp
-// Source  architecture page "Scenes"; seed 000 "Limitations" (several portals in one face).
+// Source  docs/scenes.md; article "Limitations" (several portals in one face).
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -13,7 +13,7 @@
 // Knobs   interval_stack_depth, face_stack_depth.
 // Twin    rtl/beam/stacks.sv
 // Test    tests/beam/stacks_test.cpp
-// Source  contract section 10; seed 000 "Stack underflow".
+// Source  contract section 10; article "Stack underflow".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

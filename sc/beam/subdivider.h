@@ -19,7 +19,7 @@
 //         several, leave_o also tells of a ray that passes the edge of a portal).
 // Twin    rtl/beam/subdivider.sv
 // Test    tests/beam/subdivider_test.cpp
-// Source  contract section 9; seed 000 "Subdivision" and "Stepping the dr vector".
+// Source  contract section 9; article "Subdivision" and "Stepping the dr vector".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

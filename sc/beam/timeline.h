@@ -16,7 +16,7 @@
 // Reset   frame 0, shot 0 and its turns.
 // Twin    rtl/beam/timeline.sv
 // Test    tests/beam/timeline_test.cpp
-// Source  architecture page "Scenes"; contract sections 7.5, 17.1, 17.3 to 17.5 for the effects.
+// Source  docs/scenes.md; contract sections 7.5, 17.1, 17.3 to 17.5 for the effects.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

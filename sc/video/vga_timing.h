@@ -14,7 +14,7 @@
 // Knobs   clocks_per_pixel (x2 counts half pixels only at its default, 2).
 // Twin    rtl/video/vga_timing.sv
 // Test    tests/video/vga_timing_test.cpp
-// Source  contract sections 5.1, 5.2, 6; seed 000 S0-08..S0-10.
+// Source  contract sections 5.1, 5.2, 6.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -1,10 +1,10 @@
 // trace_2: the golden tracer that asks every pixel's ray by itself, room by room.
 //
-// On the chip's integer rays with exact products. It follows the seed's pseudocode of that name and
-// is written in terms of which of two planes a ray reaches first; it shares no decision code with
-// trace_4 or with the chip. It differs from trace_4 only where an edge chatters: with rays that are
-// rounded to integers a decision may switch more than once along a line, and an interval tracer
-// then knows one switch of several.
+// On the chip's integer rays with exact products. It follows the article's pseudocode of that name
+// and is written in terms of which of two planes a ray reaches first; it shares no decision code
+// with trace_4 or with the chip. It differs from trace_4 only where an edge chatters: with rays
+// that are rounded to integers a decision may switch more than once along a line, and an interval
+// tracer then knows one switch of several.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

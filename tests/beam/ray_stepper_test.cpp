@@ -31,7 +31,7 @@ TYPED_TEST(RayStepperTest, FirstStepsOfALineFollowTheMicroTrace) {
   EXPECT_EQ(this->dr2(), (vec3{319, -239, 95}));
 }
 
-// Seed inventory 6.3: J with 8 fraction bits; with 9 of them delta is twice as large.
+// As in the article's appendix: J with 8 fraction bits; with 9 of them delta is twice as large.
 TYPED_TEST(RayStepperTest, JumpsGiveTheVectorsOfTheSeed) {
   const int rows[][3] = {{43, 43, 6},     {171, 213, 144},   {-341, 213, -282}, {-469, 43, -80},
                          {205, 639, 512}, {-205, 639, -512}, {409, 320, 511}};

@@ -1,4 +1,4 @@
-// The golden camera and the golden world, held to the contract's vectors and the seed's.
+// The golden camera and the golden world, held to the vectors of the contract and the article's.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -44,8 +44,9 @@ TEST(GoldenCamera, MeetsTheCameraVectors) {
   }
 }
 
-// Seed inventory 6.3, in units of 1/256 there and of 1/512 here.
-TEST(GoldenCamera, StepsMeetTheSeedsVectors) {
+// The article's arithmetic ("Avoiding storage of fractional bits"), in units of 1/256 there and of
+// 1/512 here.
+TEST(GoldenCamera, StepsMeetTheArticlesVectors) {
   struct {
     int delta, i, sum;
   } const vectors[] = {{43, 43, 6},     {171, 213, 144},   {-341, 213, -282}, {-469, 43, -80},

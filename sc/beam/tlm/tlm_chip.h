@@ -13,8 +13,9 @@
 //         (write to what is read only, read of what is write only), burst error (length not whole
 //         words, streaming), byte enable error.
 // Reset   by register: one clock in reset before the next line.
-// Test    tests/beam/tlm_chip_test.cpp, tests/beam/tlm_registers_test.cpp;
-// tests/beam/tlm_equality_test.cpp Source  architecture page "One behaviour, several levels".
+// Test    tests/beam/tlm_chip_test.cpp, tests/beam/tlm_registers_test.cpp,
+//         tests/beam/tlm_equality_test.cpp
+// Source  docs/virtual-platform.md.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
