@@ -1,4 +1,4 @@
-// The keys of a scene file, each documented once: what the reader accepts and the README lists.
+// The keys of a scene file, each documented once: what the reader accepts and docs/scenes.md lists.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -18,11 +18,11 @@ struct SceneKey {
   const char* meaning;
 };
 
-/// All of them, in the order of the README.
+/// All of them, in the order of the page.
 const std::vector<SceneKey>& scene_keys();
 /// The keys of one table.
 std::vector<std::string> keys_of(std::string_view table);
-/// One line of the README's table, without the newline.
+/// One line of the page's table, without the newline.
 std::string key_row(const SceneKey& key);
 
 }  // namespace racebeam

@@ -12,7 +12,7 @@ namespace racebeam {
 /// What is known of a window before its first clock.
 struct TraceSize {
   double bytes;    ///< of the VCD: within a factor of two of it
-  double seconds;  ///< on a machine like that of the README's figures, with models
+  double seconds;  ///< on a machine like that of the figures in docs/look-inside.md, with models
 
   /// Transactions of the tlm level.
   static TraceSize of_transactions(std::int64_t clocks);

@@ -32,11 +32,11 @@ TEST(CliExplain, TextTellsColourTimesIntervalWayCostAndSteps) {
   EXPECT_EQ(folder.files(), 0);
 }
 
-TEST(CliExplain, TheExampleOfTheReadmeIsWhatItSays) {
+TEST(CliExplain, TheExampleOfThePageIsWhatItSays) {
   const ScratchFolder folder;
   Program program(folder.path(), {"explain", "demo", "--frame", "1000", "--pixel", "320,240"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  EXPECT_THAT(read_file(RACEBEAM_SOURCE_DIR "/README.md"),
+  EXPECT_THAT(read_file(RACEBEAM_SOURCE_DIR "/docs/look-inside.md"),
               HasSubstr("```\n" + program.out() + "```"));
 }
 
@@ -136,6 +136,64 @@ TEST(CliExplain, MistakesEndWith2AndSayWhatToDo) {
     EXPECT_EQ(program.wait(), 2) << mistake.help;
     EXPECT_THAT(program.err(), HasSubstr(mistake.help));
     EXPECT_EQ(program.out(), "");
+  }
+}
+
+TEST(CliExplain, AFigureIsDrawnOfAPixelOfAScene) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"explain", house(), "--frame", "700", "--pixel", "320,200",
+                                  "--figure", "decision-tree", "-o", "tree.svg"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_THAT(read_file(folder / "tree.svg"), HasSubstr("frame 700 of house"));
+  EXPECT_THAT(program.err(), HasSubstr("wrote tree.svg"));
+  EXPECT_EQ(program.out(), "");
+}
+
+TEST(CliExplain, FiguresSayWhatTheyNeed) {
+  const ScratchFolder folder;
+  const std::pair<std::vector<std::string>, const char*> refused[] = {
+      {{"--figure", "portl", "-o", "a.svg"}, "did you mean 'portal'?"},
+      {{"--figure", "portal"}, "--figure needs -o FILE.svg"},
+      {{"--figure", "portal", "-o", "a.png"}, "--figure writes .svg; rename a.png"},
+      {{"--figure", "portal", "-o", "a.svg", "--pixel", "0,9"}, "X is 1..639 for a figure"},
+      {{"--figure", "portal", "--word", "slack"}, "excludes"},
+      {{"demo", "--frame", "9", "--pixel", "9,9", "-o", "a.svg"}, "requires --figure"},
+  };
+  for (const auto& [words, message] : refused) {
+    std::vector<std::string> line = {"explain"};
+    line.insert(line.end(), words.begin(), words.end());
+    Program program(folder.path(), line);
+    EXPECT_EQ(program.wait(), 2) << message;
+    EXPECT_THAT(program.err(), HasSubstr(message));
+  }
+  EXPECT_EQ(folder.files(), 0);
+}
+
+TEST(CliExplain, AWordIsExplainedAndAnUnknownOneNamesTheNearest) {
+  const ScratchFolder folder;
+  Program word(folder.path(), {"explain", "--word", "slack"});
+  ASSERT_EQ(word.wait(), 0) << word.err();
+  EXPECT_THAT(word.out(), StartsWith("slack   "));
+  EXPECT_THAT(word.out(), HasSubstr("the beam won"));
+  Program all(folder.path(), {"explain", "--words"});
+  ASSERT_EQ(all.wait(), 0) << all.err();
+  EXPECT_THAT(all.out(), HasSubstr("\n" + word.out()));
+  Program unknown(folder.path(), {"explain", "--word", "slak"});
+  EXPECT_EQ(unknown.wait(), 2);
+  EXPECT_THAT(unknown.err(), HasSubstr("unknown word 'slak'; did you mean 'slack'?"));
+}
+
+TEST(CliExplain, WithoutAPixelItSaysWhatIsMissing) {
+  const ScratchFolder folder;
+  const std::pair<std::vector<std::string>, const char*> missing[] = {
+      {{"explain"}, "a scene is required"},
+      {{"explain", "demo"}, "--frame is required"},
+      {{"explain", "demo", "--frame", "9"}, "--pixel is required"},
+  };
+  for (const auto& [words, message] : missing) {
+    Program program(folder.path(), words);
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_THAT(program.err(), HasSubstr(message));
   }
 }
 

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <sstream>
+
+#include "tests/support/document.h"
 
 namespace racebeam {
 namespace {
@@ -23,15 +23,14 @@ TEST(ViewControl, EveryKeyOfTheHelpDoesSomethingAndNoOther) {
   for (const char* key : {"n", "y", "f2", "return", ""}) EXPECT_FALSE(ViewControl().press(key));
 }
 
-TEST(ViewControl, ReadmeListsEveryKey) {
-  std::ifstream file(RACEBEAM_SOURCE_DIR "/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+TEST(ViewControl, ThePageListsEveryKey) {
+  const std::string text = page("docs/look-inside.md");
   for (const KeyHelp& row : ViewControl::help()) {
     std::istringstream words(row.keys);
     std::string line = "|";
     for (std::string key; words >> key;) line += " `" + key + "`";
     line += " | " + row.meaning + " |";
-    EXPECT_NE(readme.find("\n" + line + "\n"), std::string::npos) << line;
+    EXPECT_NE(text.find("\n" + line + "\n"), std::string::npos) << line;
   }
 }
 

@@ -4,11 +4,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "tb/view/view_control.h"
+#include "tests/support/document.h"
 
 namespace racebeam {
 namespace {
@@ -48,9 +47,8 @@ TEST_F(TileKeys, EveryKeyOfTheModelAloneIsToldToBeOne) {
   EXPECT_FALSE(control.state.borders || control.state.gauges || control.state.map);
 }
 
-TEST_F(TileKeys, EveryKeyOfItsHelpDoesSomethingAndTheReadmeListsIt) {
-  std::ifstream file(RACEBEAM_SOURCE_DIR "/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+TEST_F(TileKeys, EveryKeyOfItsHelpDoesSomethingAndThePagesListIt) {
+  const std::string pages = page("docs/look-inside.md") + page("docs/tiny-tapeout.md");
   for (const KeyHelp& row : ViewControl::help(true)) {
     EXPECT_NE(row.chip, KeyHelp::Model) << row.meaning;
     std::istringstream words(row.keys);
@@ -58,7 +56,7 @@ TEST_F(TileKeys, EveryKeyOfItsHelpDoesSomethingAndTheReadmeListsIt) {
     for (std::string key; words >> key; line += " `" + key + "`")
       EXPECT_TRUE(control.press(key)) << key;
     line += " | " + row.meaning + " |";
-    EXPECT_NE(readme.find("\n" + line + "\n"), std::string::npos) << line;
+    EXPECT_NE(pages.find("\n" + line + "\n"), std::string::npos) << line;
   }
 }
 

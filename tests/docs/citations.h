@@ -1,0 +1,72 @@
+// What "contract 9.5" in a file means: the sections that it cites, and those that a page has.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+/// What of a page can be cited: the numbers of its headings, "9", "9.5", and the items of its
+/// tables, letters in the first column.
+inline std::set<std::string> citable(const std::string& page) {
+  std::set<std::string> all;
+  static const std::regex place("(?:^|\n)(?:#+ (\\d+(?:\\.\\d+)?)\\.? |\\| ([A-Z]) \\|)");
+  for (std::sregex_iterator at(page.begin(), page.end(), place), end; at != end; ++at)
+    all.insert((*at)[(*at)[1].matched ? 1 : 2]);
+  return all;
+}
+
+/// A file in one line: the marks of comments go with the breaks.
+inline std::string without_line_breaks(const std::string& file) {
+  std::string text;
+  for (std::size_t at = 0; at < file.size(); ++at) {
+    if (file[at] != '\n') {
+      text += file[at];
+      continue;
+    }
+    at = file.find_first_not_of(" \t\n/#*!<", at);
+    if (at == std::string::npos) break;
+    text += ' ';
+    --at;
+  }
+  return text;
+}
+
+/// What a file cites: "contract 9.5", "Contract sections 5.1, 5.2 and 6", "contract 9.4 to 9.7",
+/// "contract 18, item S" (which cites "18" and "S"); also where a comment breaks the line.
+inline std::vector<std::string> citations(const std::string& file) {
+  static const std::regex cited(
+      "ontract(?: sections?)? (\\d+(?:\\.\\d+)?(?:(?:, and|,| and| to) \\d+(?:\\.\\d+)?)*)"
+      "(?:,? and item ([A-Z])|,? item ([A-Z]))?");
+  static const std::regex number("\\d+(?:\\.\\d+)?");
+  const std::string text = without_line_breaks(file);
+  std::vector<std::string> all;
+  std::smatch found;
+  for (auto at = text.find("ontract"); at != std::string::npos; at = text.find("ontract", at + 1)) {
+    if (!std::regex_search(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), found, cited,
+                           std::regex_constants::match_continuous))
+      continue;
+    const std::string list = found[1];
+    for (std::sregex_iterator one(list.begin(), list.end(), number), end; one != end; ++one)
+      all.push_back(one->str());
+    for (const int group : {2, 3})
+      if (found[group].matched) all.push_back(found[group]);
+  }
+  return all;
+}
+
+/// The citations of a file that lead nowhere.
+inline std::vector<std::string> unresolved(const std::string& file,
+                                           const std::set<std::string>& citable) {
+  std::vector<std::string> lost;
+  for (const std::string& one : citations(file))
+    if (!citable.count(one)) lost.push_back(one);
+  return lost;
+}
+
+}  // namespace racebeam

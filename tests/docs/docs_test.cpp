@@ -1,0 +1,132 @@
+// README.md and docs/: their tables are the program's, and their links lead somewhere.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+#include "sc/base/knobs.h"
+#include "tb/explain/figures.h"
+#include "tb/explain/glossary.h"
+#include "tb/scene/scene_keys.h"
+#include "tb/scene/scene_reader.h"
+#include "tests/support/document.h"
+
+namespace racebeam {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// All pages, by their path in the project.
+std::vector<std::string> pages() {
+  std::vector<std::string> all = {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(RACEBEAM_SOURCE_DIR "/docs"))
+    if (entry.path().extension() == ".md")
+      all.push_back("docs/" + entry.path().filename().string());
+  return all;
+}
+
+/// What GitHub makes of a heading: lower case, without signs, with dashes for blanks.
+std::string anchor(const std::string& heading) {
+  std::string name;
+  for (const char letter : heading)
+    if (letter == ' ' || letter == '-') name += '-';
+    else if (std::isalnum(static_cast<unsigned char>(letter)) || letter == '_')
+      name += static_cast<char>(std::tolower(letter));
+  return name;
+}
+
+bool has_heading(const std::string& text, const std::string& name) {
+  static const std::regex heading("(?:^|\n)#+ ([^\n]*)");
+  for (std::sregex_iterator at(text.begin(), text.end(), heading), end; at != end; ++at)
+    if (anchor((*at)[1]) == name) return true;
+  return false;
+}
+
+/// Links of a page to files or headings that are not there.
+std::vector<std::string> broken_links(const std::string& path, const std::string& text) {
+  static const std::regex link("\\]\\(([^)\\s]+)\\)");
+  const std::filesystem::path root = RACEBEAM_SOURCE_DIR;
+  std::vector<std::string> broken;
+  for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
+    const std::string target = (*at)[1];
+    if (target.find("://") != std::string::npos) continue;
+    const auto hash = target.find('#');
+    const std::string file = target.substr(0, hash);
+    const auto place = file.empty() ? root / path : (root / path).parent_path() / file;
+    const bool found = exists(place) &&
+                       (hash == std::string::npos ||
+                        has_heading(page(relative(place, root).string()), target.substr(hash + 1)));
+    if (!found) broken.push_back(target);
+  }
+  return broken;
+}
+
+TEST(Docs, EveryLinkLeadsToAFileOrAHeading) {
+  for (const std::string& path : pages())
+    EXPECT_THAT(broken_links(path, page(path)), IsEmpty()) << "in " << path;
+}
+
+TEST(Docs, ABrokenLinkIsSeen) {
+  EXPECT_THAT(broken_links("docs/x.md", "[a](contract.md#9-subdivider) [b](../README.md)"),
+              IsEmpty());
+  EXPECT_THAT(broken_links("docs/x.md", "[a](contract.md#9-nothing) [b](README.md) ![c](c.svg)"),
+              testing::ElementsAre("contract.md#9-nothing", "README.md", "c.svg"));
+}
+
+TEST(Docs, TheReadmeHasAtMost200Lines) {
+  const std::string text = page("README.md");
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 200);
+}
+
+TEST(Docs, TheReadmeExplainsEveryWordOfTheGlossary) {
+  const auto rows = table_rows(page("README.md"), "### Words");
+  EXPECT_EQ(rows.size(), glossary().size());
+  for (const Word& word : glossary())
+    EXPECT_THAT(page("README.md"), HasSubstr("\n" + word_row(word) + "\n"));
+}
+
+TEST(Docs, TheWordsOfTheGlossaryAreDifferent) {
+  for (const Word& word : glossary()) {
+    EXPECT_EQ(&glossary_word(word.word), &word);
+    EXPECT_LE(std::string(word.meaning).size(), 80u) << word.word << " fits a terminal";
+  }
+  EXPECT_STREQ(glossary_word("intervals").word, "interval");
+}
+
+TEST(Docs, EveryFigureIsShown) {
+  const std::string text = page("docs/look-inside.md");
+  for (const Figure& figure : figures())
+    EXPECT_THAT(text, HasSubstr("](figures/" + std::string(figure.name) + ".svg)"));
+}
+
+TEST(Docs, ListsEveryKeyOfSceneFiles) {
+  const std::string text = page("docs/scenes.md");
+  for (const SceneKey& key : scene_keys()) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
+}
+
+TEST(Docs, ExampleSceneIsGood) {
+  const std::string text = page("docs/scenes.md");
+  const auto begin = text.find("```toml\n") + 8;
+  const auto end = text.find("```", begin);
+  ASSERT_LT(begin, end);
+  const SceneResult result = read_scene(text.substr(begin, end - begin), "example");
+  EXPECT_TRUE(result.faults.none()) << result.faults.text("docs/scenes.md");
+  EXPECT_EQ(result.scene.rooms.size(), 22u);
+}
+
+TEST(Docs, ListsEveryKnobWithItsDefaultAndRange) {
+  const std::string text = page("docs/explore.md");
+  const knobs defaults;
+  for (const auto& row : knob_table())
+    EXPECT_THAT(text,
+                HasSubstr("| `" + std::string(row.name) + "` | " + row.text(defaults.*row.member) +
+                          " | " + row.range() + " | " + row.meaning + " |"));
+}
+
+}  // namespace
+}  // namespace racebeam
