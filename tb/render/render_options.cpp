@@ -194,6 +194,7 @@ std::map<std::string, ManifestUnit> units_of(const RenderPlan& plan,
       const auto start = word.find("lockstep:") == equals + 1 ? word.find(':') : equals;
       unit->second.files.clear();
       const std::string text = word.substr(start + 1);
+      if (text == "rtl" || text == "lockstep") continue;  // ours, even beside a folder of that name
       if (!is_source_list(text) && fs::path(text).extension() != ".so") continue;
       for (const std::string& file :
            is_source_list(text) ? files_of_list(unit->first, text) : std::vector{text}) {

@@ -66,6 +66,13 @@ TEST_F(CliRtlTest, WhatAKilledProgramHasStartedDiesWithIt) {
   EXPECT_TRUE(becomes_true([&] { return !lives(); }));
 }
 
+// As in the project's own folder, which has a folder `rtl`.
+TEST_F(CliRtlTest, TheWordRtlIsOursWhateverFolderIsThere) {
+  fs::create_directory(folder / "rtl");
+  expect(0, {"render", "demo", "--use", "pixel_output=rtl", "-o", "o"});
+  EXPECT_THAT(read_file(folder / "o/manifest.json"), HasSubstr("\"pixel_output\""));
+}
+
 TEST_F(CliRtlTest, AKnobThatTheRtlLacksIsNamed) {
   write("mine.sv",
         changed("interval_fifo", "parameter int FifoEntries", "localparam int FifoEntries"));
