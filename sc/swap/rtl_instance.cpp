@@ -25,8 +25,8 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     wanted.push_back({pin->port_name(), pin->is_input(), pin->bits()});
   const std::string faults = port_faults(model(), wanted);
   if (!faults.empty())
-    throw RtlError(rtl_place(model()) + ": this does not fit the unit " + unit + "; sc/" + unit +
-                   ".h has its ports:" + faults);
+    throw RtlError(rtl_place(model()) + ": this does not fit the unit " + unit + "; " + unit +
+                   ".h below sc/ has its ports:" + faults);
   for (any_port* pin : pins) {
     const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
     if (pin->port_name() == std::string(Clock)) continue;
