@@ -5,10 +5,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "tb/base/nearest.h"
 
 namespace racebeam {
+
+namespace {
+
+std::string lower(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(letter));
+  return text;
+}
+
+}  // namespace
 
 const std::vector<Word>& glossary() {
   static const std::vector<Word> words = {
@@ -48,8 +58,8 @@ const std::vector<Word>& glossary() {
 }
 
 const Word& glossary_word(const std::string& word) {
-  const auto is = [&](const Word& one) {
-    return one.word == word || std::string(one.word) + "s" == word;
+  const auto is = [asked = lower(word)](const Word& one) {
+    return lower(one.word) == asked || lower(one.word) + "s" == asked;
   };
   const auto found = std::find_if(glossary().begin(), glossary().end(), is);
   if (found != glossary().end()) return *found;

@@ -19,7 +19,7 @@ struct Word {
 /// All of them, each after the words that it needs.
 const std::vector<Word>& glossary();
 
-/// A word, written as there or as its plural. Throws UsageError that names the nearest.
+/// A word, in any case, or its plural. Throws UsageError that names the nearest.
 const Word& glossary_word(const std::string& word);
 
 /// One line of the README's table, without the newline.

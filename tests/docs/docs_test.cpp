@@ -96,6 +96,7 @@ TEST(Docs, TheWordsOfTheGlossaryAreDifferent) {
     EXPECT_LE(std::string(word.meaning).size(), 80u) << word.word << " fits a terminal";
   }
   EXPECT_STREQ(glossary_word("intervals").word, "interval");
+  EXPECT_STREQ(glossary_word("fifo").word, "FIFO");
 }
 
 TEST(Docs, EveryFigureIsShown) {
