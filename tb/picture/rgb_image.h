@@ -39,6 +39,7 @@ class RgbImage {
   int height() const { return height_; }
   /// Row by row, three bytes a pixel.
   const std::uint8_t* bytes() const { return &pixels_.front().r; }
+  std::uint8_t* bytes() { return &pixels_.front().r; }
   Rgb at(int x, int y) const { return pixels_[static_cast<std::size_t>(y) * width_ + x]; }
 
   /// All of these keep within the picture.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/doctor_checks.h"
 
-#include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
 #include <sndfile.h>
 #include <sys/utsname.h>
@@ -22,10 +21,13 @@
 
 #include "sc/base/constants.h"
 #include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
 #include "tb/base/version.h"
 #include "tb/monitor/sound_monitor.h"
+#include "tb/picture/contact_sheet.h"
 #include "tb/picture/gif_writer.h"
-#include "tb/picture/image_files.h"
+#include "tb/picture/image_library.h"
+#include "tb/picture/png_file.h"
 #include "tb/verilate/project_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 
@@ -66,6 +68,15 @@ Check check(const char* name, const std::function<void()>& action) {
   }
 }
 
+/// Its version; a check tells why it is not found.
+std::string picture_library() {
+  try {
+    return image_library().version;
+  } catch (const MissingTool&) {
+    return "not found";
+  }
+}
+
 std::string find_in_path(const std::string& tool) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
@@ -85,7 +96,7 @@ std::vector<Fact> versions() {
   return {{"racebeam", program_version()},
           {"compiler", __VERSION__},
           {"SystemC", sc_core::sc_release()},
-          {"OpenImageIO", OIIO_VERSION_STRING},
+          {"OpenImageIO", picture_library()},
           {"zlib", zlibVersion()},
           {"libsndfile", sndfile}};
 }
@@ -107,6 +118,10 @@ std::vector<Check> check_files() {
   const std::vector<std::uint8_t> picture(VisibleColumns * VisibleRows, 0x2a);
   checks.push_back(check("write PNG", [&] {
     write_png(folder->file("a.png"), picture, VisibleColumns, VisibleRows);
+  }));
+  checks.push_back(check("caption a picture", [&] {
+    write_contact_sheet(folder->file("b.png"), {{picture, "caption"}}, VisibleColumns, VisibleRows,
+                        1);
   }));
   checks.push_back(check("write GIF", [&] {
     GifWriter gif(folder->file("a.gif"), VisibleColumns, VisibleRows, 60);

@@ -7,7 +7,7 @@
 #include "tb/bench/signal_bench.h"
 #include "tb/bench/tlm_bench.h"
 #include "tb/monitor/raster.h"
-#include "tb/picture/image_files.h"
+#include "tb/picture/png_file.h"
 #include "tb/show/level.h"
 #include "tb/view/map_picture.h"
 

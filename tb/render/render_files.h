@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tb/monitor/sound_monitor.h"
+#include "tb/picture/contact_sheet.h"
 #include "tb/picture/gif_writer.h"
-#include "tb/picture/image_files.h"
 #include "tb/render/output_folder.h"
 #include "tb/render/render_options.h"
 #include "tb/render/rendered_frame.h"

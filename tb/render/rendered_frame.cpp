@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "tb/base/byte_stream.h"
-#include "tb/picture/image_files.h"
+#include "tb/picture/png_file.h"
 
 namespace racebeam {
 

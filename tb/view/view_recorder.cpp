@@ -9,7 +9,7 @@
 
 #include "tb/base/counted.h"
 #include "tb/base/output_file.h"
-#include "tb/picture/image_files.h"
+#include "tb/picture/png_file.h"
 
 namespace racebeam {
 

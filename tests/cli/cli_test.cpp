@@ -11,6 +11,8 @@
 namespace racebeam {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -80,6 +82,48 @@ TEST_F(CliTest, VersionIsAlone) {
   EXPECT_EQ(program.wait(), 0);
   EXPECT_EQ(program.out(), "racebeam " RACEBEAM_VERSION "\n");
   EXPECT_EQ(program.err(), "") << "not even SystemC's banner";
+}
+
+/// Shared libraries that a run of the program opens.
+std::vector<std::string> libraries_of(const std::string& folder, const Words& words) {
+  Program::Setting setting;
+  setting.environment = "LD_DEBUG=files";
+  Program program(folder, words, setting);
+  EXPECT_EQ(program.wait(), 0);
+  const std::string call = "calling init: ";
+  std::vector<std::string> libraries;
+  std::istringstream lines(program.err());
+  for (std::string line; std::getline(lines, line);)
+    if (const auto at = line.find(call); at != std::string::npos)
+      libraries.push_back(line.substr(at + call.size()));
+  return libraries;
+}
+
+TEST_F(CliTest, PictureLibraryIsOpenedForCaptionsOnly) {
+  constexpr const char* Images = "libracebeam_images.so";
+  const auto start = libraries_of(folder.path(), {"--version"});
+  EXPECT_THAT(start, Contains(HasSubstr("libsystemc")));
+  EXPECT_LT(start.size(), 100u);
+  for (const Words& words : {Words{"--version"}, {"render", "demo", "--overlay", "slack"}}) {
+    const auto libraries = libraries_of(folder.path(), words);
+    EXPECT_THAT(libraries, Not(Contains(HasSubstr(Images))));
+    EXPECT_THAT(libraries, Not(Contains(HasSubstr("OpenImageIO"))));
+  }
+  EXPECT_THAT(libraries_of(folder.path(), {"render", "demo", "--sheet", "a.png"}),
+              AllOf(Contains(HasSubstr(Images)), Contains(HasSubstr("OpenImageIO"))));
+}
+
+TEST_F(CliTest, ProgramWithoutItsPictureLibrarySaysWhereItLooked) {
+  Program::Setting setting;
+  setting.program = folder / "racebeam";
+  std::filesystem::copy_file(RACEBEAM_BINARY, setting.program);
+  Program program(folder.path(), {"render", "demo", "--sheet", "a.png"}, setting);
+  EXPECT_EQ(program.wait(), 3);
+  EXPECT_THAT(program.err(), HasSubstr("libracebeam_images.so is neither in " + folder.path()));
+  Program doctor(folder.path(), {"doctor"}, setting);
+  EXPECT_EQ(doctor.wait(), 3);
+  EXPECT_THAT(doctor.out(), HasSubstr("OpenImageIO        not found"));
+  EXPECT_THAT(doctor.err(), HasSubstr("caption a picture: libracebeam_images.so is neither in "));
 }
 
 TEST_F(CliTest, UnknownNamesAreRefusedWithTheNearest) {
@@ -196,7 +240,7 @@ TEST_F(CliTest, DoctorIsGoodHere) {
   Program program(folder.path(), {"doctor", "--json"});
   const auto json = program.json();
   EXPECT_EQ(json.at("versions").at("racebeam"), RACEBEAM_VERSION);
-  EXPECT_EQ(json.at("checks").size(), 5);
+  EXPECT_EQ(json.at("checks").size(), 6);
   EXPECT_EQ(json.at("tools").size(), 4);
 }
 

@@ -37,6 +37,7 @@ class Program {
     bool terminal = false;                ///< stderr is one
     std::string environment = {};         ///< one more NAME=VALUE
     bool group = false;                   ///< leads a process group, as on a terminal
+    std::string program = RACEBEAM_BINARY;
   };
 
   Program(const std::string& folder, const std::vector<std::string>& arguments)
@@ -110,7 +111,7 @@ class Program {
     std::vector<char*> words = {const_cast<char*>("racebeam")};
     for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
-    if (chdir(folder.c_str()) == 0) execv(RACEBEAM_BINARY, words.data());
+    if (chdir(folder.c_str()) == 0) execv(setting.program.c_str(), words.data());
     _exit(127);
   }
   void read_terminal() {

@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/picture/image_files.h"
-
+#include <OpenImageIO/filesystem.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 
+#include "tb/base/output_file.h"
+#include "tb/picture/contact_sheet.h"
+#include "tb/picture/gif_writer.h"
+#include "tb/picture/png_file.h"
 #include "tests/support/gif_delays.h"
 #include "tests/support/read_picture.h"
 #include "tests/support/scratch_folder.h"
@@ -29,16 +33,65 @@ Picture random_picture(int width, int height, int colours, unsigned seed) {
   return picture;
 }
 
+/// So many colours, each in a row of its own.
+RgbImage rows_of_colours(int colours) {
+  RgbImage picture(40, colours);
+  for (int y = 0; y < colours; ++y)
+    picture.fill(0, y, 40, 1, {static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(y >> 8), 7});
+  return picture;
+}
+
+/// Bytes of the RGB PNG that OpenImageIO makes of a picture.
+std::size_t size_by_openimageio(const Picture& picture, int width, int height) {
+  const RgbImage rgb(picture, width, height, width, height);
+  OIIO::Filesystem::IOVecOutput bytes;
+  const auto out = OIIO::ImageOutput::create("png");
+  out->set_ioproxy(&bytes);
+  EXPECT_TRUE(out->open("a.png", OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)));
+  EXPECT_TRUE(out->write_image(OIIO::TypeDesc::UINT8, rgb.bytes()));
+  EXPECT_TRUE(out->close());
+  return bytes.buffer().size();
+}
+
 class ImageFiles : public testing::Test {
  protected:
   ScratchFolder folder;
+
+  /// Bits a sample and colour type, as the header of a PNG file says.
+  std::pair<int, int> png_kind(const std::string& name) const {
+    char bytes[26] = {};
+    std::ifstream(folder / name, std::ios::binary).read(bytes, sizeof bytes);
+    return {bytes[24], bytes[25]};
+  }
 };
 
-TEST_F(ImageFiles, PngKeepsAllColours) {
-  const Picture picture = random_picture(640, 480, 64, 1);
-  write_png(folder / "a.png", picture, 640, 480);
-  EXPECT_EQ(read_picture(folder / "a.png"), picture);
-  EXPECT_EQ(folder.files(), 1);
+constexpr int PngRgb = 2, PngPalette = 3;
+
+TEST_F(ImageFiles, PngKeepsAllColoursInAPaletteOfThose) {
+  for (const auto& [colours, bits] :
+       {std::pair{1, 1}, {2, 1}, {3, 2}, {4, 2}, {5, 4}, {16, 4}, {17, 8}, {64, 8}}) {
+    Picture picture = random_picture(640, 480, colours, colours);
+    for (int c = 0; c < colours; ++c) picture[c] = (c * 37 + colours) & 63;  // the rare ones too
+    write_png(folder / "a.png", picture, 640, 480);
+    EXPECT_EQ(read_picture(folder / "a.png"), picture) << colours;
+    EXPECT_EQ(png_kind("a.png"), std::pair(bits, PngPalette)) << colours;
+    EXPECT_LE(std::filesystem::file_size(folder / "a.png"), size_by_openimageio(picture, 640, 480))
+        << colours;
+    EXPECT_EQ(folder.files(), 1);
+  }
+}
+
+TEST_F(ImageFiles, PngOfMoreThan256ColoursIsRgb) {
+  for (const auto& [colours, type] : {std::pair{256, PngPalette}, {257, PngRgb}}) {
+    const RgbImage picture = rows_of_colours(colours);
+    write_png(folder / "a.png", picture);
+    EXPECT_EQ(png_kind("a.png"), std::pair(8, type));
+    const auto in = OIIO::ImageInput::open(folder / "a.png");
+    ASSERT_TRUE(in && in->spec().nchannels == 3);
+    Picture bytes(40 * colours * 3);
+    ASSERT_TRUE(in->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data()));
+    EXPECT_EQ(bytes, Picture(picture.bytes(), picture.bytes() + bytes.size())) << colours;
+  }
 }
 
 TEST_F(ImageFiles, PngRefusesASizeThatIsNotThePictures) {

@@ -1,0 +1,31 @@
+// ImageLibrary: what OpenImageIO does for the program, opened when it is first asked for.
+//
+// OpenImageIO brings 260 shared libraries and a thread of its own. It is behind
+// libracebeam_images.so, a library beside the program, so that no other command pays for them.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace racebeam {
+
+struct ImageLibrary {
+  const char* version;  ///< of OpenImageIO
+
+  /// Writes a line into a picture of width * height pixels, three bytes each: from `left` to
+  /// `right`, on a baseline. Nothing if there is no font.
+  void (*put_text)(std::uint8_t* rgb, int width, int height, const std::string& words, int left,
+                   int right, int baseline);
+};
+
+/// Opens it at the first call. Throws MissingTool if it or OpenImageIO is not there.
+const ImageLibrary& image_library();
+
+/// Its name, and of the ImageLibrary in it.
+constexpr const char* ImageLibraryFile = "libracebeam_images.so";
+constexpr const char* ImageLibrarySymbol = "racebeam_image_library";
+
+}  // namespace racebeam
