@@ -26,6 +26,7 @@
 #include "tb/base/nearest.h"
 #include "tb/base/progress.h"
 #include "tb/speed/chip_rows.h"
+#include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
 #include "tb/twin/unit_bench.h"
 
@@ -93,8 +94,8 @@ Base beside_first() {
   };
 }
 
-/// Name and clocks a second of the median of each benchmark. `rows`: their JSON. With a base the
-/// ratio to it too.
+/// Name and clocks a second, or seconds, of the median of each benchmark. `rows`: their JSON. With
+/// a base the ratio to it too.
 void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
   for (const auto& row : rows) {
     if (row.value("run_type", "") == "aggregate" && row.value("aggregate_name", "") != "median")
@@ -103,6 +104,12 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
     if (row.value("run_type", "") != "aggregate" && !single) continue;
     const std::string name = row.at("run_name").get<std::string>();
     const std::string label = name.substr(0, name.find('/'));
+    if (row.contains("seconds")) {
+      const double seconds = row.at("seconds").get<double>();
+      all.push_back({{"name", label}, {"seconds", seconds}});
+      if (!json) print(fmt::format("{:<34} {:8.2f} ms\n", label, seconds * 1e3));
+      continue;
+    }
     const double rate = row.at("clocks").get<double>();
     all.push_back({{"name", label}, {"clocks_per_second", rate}});
     const double beside = base ? base(label, rate) : 0;
@@ -114,7 +121,7 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
 }
 
 // Groups of rows, which may be asked for as a unit may.
-constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes";
+constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes", *Host = "host";
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
@@ -177,7 +184,7 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 int command_bench(const BenchOptions& options) {
-  std::vector<std::string> known = {Levels, Traces, Mixes};
+  std::vector<std::string> known = {Levels, Traces, Mixes, Host};
   for (const auto& row : unit_rows) known.push_back(row.name);
   for (const auto& name : options.rows)
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -206,6 +213,11 @@ int command_bench(const BenchOptions& options) {
   if (wanted(Traces))
     add(
         TraceRows, [&] { register_traces(options); }, beside_first());
+  if (wanted(Host))
+    add(HostRows, [&] {
+      register_start(options.repeats);
+      register_png(options);
+    });
   const Base beside_models = beside_first();
   if (wanted(Mixes))
     for (const ChipMix& mix : chip_mixes())

@@ -137,7 +137,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
 
 void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* bench = app.add_subcommand("bench", "Measure simulated clocks a second");
-  bench->add_option("row", options.rows, "Only these: levels, traces, mixes, or units")
+  bench->add_option("row", options.rows, "Only these: levels, traces, mixes, host, or units")
       ->type_name("ROW");
   add_number(*bench, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))
