@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <initializer_list>
+#include <string_view>
 
 #include "sc/swap/rtl_run.h"
 #include "tb/base/errors.h"
@@ -31,9 +32,15 @@ double busy_seconds() {
 
 void end_at_once(int) { _exit(ExitInterrupted); }
 
+[[noreturn]] void end_unfinished() {
+  constexpr std::string_view Text = "racebeam: stopped early, in the middle of its work\n";
+  if (write(STDERR_FILENO, Text.data(), Text.size()) < 0) _exit(ExitInterrupted);
+  _exit(ExitInterrupted);
+}
+
 void count_interrupt(int) {
   interrupts = interrupts + 1;
-  if (interrupts >= Patience) _exit(ExitInterrupted);
+  if (interrupts >= Patience) end_unfinished();
   if (interrupts > 1) return;
   busy_before = busy_seconds();
   alarm(1);
@@ -45,7 +52,7 @@ void look_at_clock(int) {
   waited = waited + 1;
   const bool busy = busy_seconds() - busy_before >= BusySeconds;
   if (finish == 0 && busy) leave_rtl(SIGALRM);
-  if (finish == 0 ? busy || waited >= Seconds : waited >= finish) _exit(ExitInterrupted);
+  if (finish == 0 ? busy || waited >= Seconds : waited >= finish) end_unfinished();
 }
 
 void handle(void (*handler)(int)) {

@@ -13,7 +13,7 @@ void end_on_interrupts();
 
 /// From now on they set a flag. RTL that is being evaluated after another second of processor time
 /// is left with an RtlFault; a program that has not ended after a second of processor time, or five
-/// seconds, or at the third signal, ends at once with 130.
+/// seconds, or at the third signal, says so and ends with 130.
 void catch_interrupts();
 
 /// One of them has arrived.

@@ -77,13 +77,19 @@ class Program {
   /// Waits for the end. The exit code, or -signal if it was killed.
   int wait() {
     if (pid_ < 0) return code_;
-    if (terminal_ >= 0) read_terminal();
+    while (terminal_ >= 0 && read_terminal()) {
+    }
     int status = 0;
     while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
     }
     pid_ = -1;
     code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     return code_;
+  }
+  /// Until its terminal has shown `text`, or it has ended.
+  void wait_for(const std::string& text) {
+    while (screen_.find(text) == std::string::npos && read_terminal()) {
+    }
   }
   std::string out() {
     wait();
@@ -114,9 +120,11 @@ class Program {
     if (chdir(folder.c_str()) == 0) execv(setting.program.c_str(), words.data());
     _exit(127);
   }
-  void read_terminal() {
+  bool read_terminal() {
     char some[4096];
-    for (ssize_t n = 0; (n = read(terminal_, some, sizeof some)) > 0;) screen_.append(some, n);
+    const ssize_t n = read(terminal_, some, sizeof some);
+    if (n > 0) screen_.append(some, n);
+    return n > 0;
   }
 
   ScratchFolder said_;
