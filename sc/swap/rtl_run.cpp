@@ -31,6 +31,7 @@ constexpr int ExitFault = 2;
 /// The evaluation that is going on, for signal handlers and for what RTL calls.
 struct Evaluation {
   const rtl_model* model;
+  const char* unit;  // the model lies in the heap, which RTL may break
   std::uint64_t clock;
   volatile sig_atomic_t inside;         // RTL runs, and nothing of ours
   volatile std::uint64_t number, seen;  // of the evaluation, and when the clock looked last
@@ -58,7 +59,7 @@ std::string place(const char* file, int line_number) {
 }
 
 std::string in_clock() {
-  return std::string("the RTL of ") + now.model->unit + " has ended the simulation in clock " +
+  return std::string("the RTL of ") + now.unit + " has ended the simulation in clock " +
          std::to_string(now.clock) + ": ";
 }
 
@@ -188,7 +189,7 @@ void watch() {
 RtlFault left(int number) {
   static void* volatile some;
   std::free(some = std::malloc(100'000));  // more than a cache of the heap has without its lock
-  const std::string begin = std::string("the RTL of ") + now.model->unit;
+  const std::string begin = std::string("the RTL of ") + now.unit;
   const std::string clock = " in clock " + std::to_string(now.clock);
   if (number == SIGALRM) return RtlFault(begin + " did not return" + clock + "; interrupted");
   if (number == Stuck) {
@@ -225,11 +226,10 @@ void leave_rtl(int number) {
   const auto clock = static_cast<unsigned long long>(now.clock);
   if (number == Stuck || number == SIGALRM)
     std::snprintf(last_words.text, sizeof last_words.text,
-                  "racebeam: the RTL of %s does not return from clock %llu\n", now.model->unit,
-                  clock);
+                  "racebeam: the RTL of %s does not return from clock %llu\n", now.unit, clock);
   else
     std::snprintf(last_words.text, sizeof last_words.text,
-                  "racebeam: the RTL of %s crashed in clock %llu: %s\n", now.model->unit, clock,
+                  "racebeam: the RTL of %s crashed in clock %llu: %s\n", now.unit, clock,
                   sigdescr_np(number));
   set(last_words.timer, Patience, false);
   __builtin_longjmp(now.way_out, 1);
@@ -243,6 +243,7 @@ const rtl_host& rtl_run_host() {
 
 void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
   now.model = &model;
+  now.unit = model.unit;
   now.clock = clock;
   now.number = now.number + 1;
   bool whole = false;
