@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <new>
 #include <optional>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 #include "tb/base/output_file.h"
@@ -70,7 +70,8 @@ std::string png_of(const std::uint8_t* pixels, int width, int height, const Pale
   return bytes;
 }
 
-/// The colours of a picture, and the index of each pixel's; nothing if there are too many.
+/// The colours of a picture from dark to light, so that the same pixels make the same file, and the
+/// index of each pixel's; nothing if there are too many.
 struct Indexed {
   Palette palette;
   std::vector<std::uint8_t> pixels;
@@ -78,23 +79,28 @@ struct Indexed {
 std::optional<Indexed> indexed(const RgbImage& picture) {
   const std::size_t count = static_cast<std::size_t>(picture.width()) * picture.height();
   const std::uint8_t* const bytes = picture.bytes();
-  Indexed result;
-  result.pixels.reserve(count);
-  std::unordered_map<int, std::uint8_t> index;
+  const auto colour_of = [](const std::uint8_t* p) { return p[0] << 16 | p[1] << 8 | p[2]; };
+  std::map<int, std::uint8_t> index;
   int last = -1;  // most pixels are as the one before
   for (const std::uint8_t* p = bytes; p != bytes + 3 * count; p += 3) {
-    const int colour = p[0] << 16 | p[1] << 8 | p[2];
-    if (colour != last) {
-      last = colour;
-      if (index.count(colour) == 0) {
-        if (result.palette.size() == MaxPalette) return {};
-        index[colour] = static_cast<std::uint8_t>(result.palette.size());
-        result.palette.push_back({p[0], p[1], p[2]});
-      }
-      result.pixels.push_back(index[colour]);
-    } else {
-      result.pixels.push_back(result.pixels.back());
-    }
+    if (colour_of(p) == last) continue;
+    last = colour_of(p);
+    index[last] = 0;
+    if (index.size() > MaxPalette) return {};
+  }
+  Indexed result;
+  for (auto& [colour, number] : index) {
+    number = static_cast<std::uint8_t>(result.palette.size());
+    result.palette.push_back({static_cast<std::uint8_t>(colour >> 16),
+                              static_cast<std::uint8_t>(colour >> 8),
+                              static_cast<std::uint8_t>(colour)});
+  }
+  result.pixels.reserve(count);
+  last = -1;
+  for (const std::uint8_t* p = bytes; p != bytes + 3 * count; p += 3) {
+    const bool same = colour_of(p) == last;
+    last = colour_of(p);
+    result.pixels.push_back(same ? result.pixels.back() : index.at(last));
   }
   return result;
 }
