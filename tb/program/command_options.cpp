@@ -180,7 +180,7 @@ void add_verilate(CLI::App& app, VerilateOptions& options) {
   CLI::App* verilate = app.add_subcommand(
       "verilate",
       "Make a plug-in of a unit's RTL: for build systems; elsewhere it is made by itself");
-  verilate->add_option("unit", options.unit, "Module; its ports are in sc/UNIT.h")
+  verilate->add_option("unit", options.unit, "Module; its ports are in UNIT.h below sc/")
       ->required()
       ->type_name("UNIT");
   const auto words = [&](const char* name, std::vector<std::string>& to, const char* type,
