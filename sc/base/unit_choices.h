@@ -6,7 +6,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace racebeam {
 
@@ -27,24 +26,5 @@ struct unit_choices {
     return at == by_unit.end() ? model : at->second;
   }
 };
-
-/// The units of the chip, in the order of the contract. For a scene file timeline and scene_rom
-/// take the places of sequencer and scene.
-inline std::vector<std::string> chip_units(bool scene_file) {
-  return {"vga_timing",        scene_file ? "timeline" : "sequencer",
-          "camera_unit",       "ray_stepper",
-          "subdivider",        "stacks",
-          "decision_datapath", scene_file ? "scene_rom" : "scene",
-          "navigator",         "interval_fifo",
-          "pixel_output",      "pwm_sound"};
-}
-
-/// All units wired in RTL: only beside the chip, in lockstep.
-constexpr const char* WholeChip = "racebeam_top";
-
-/// Name of the instance that a unit is in chip.
-inline std::string instance_of(const std::string& unit) {
-  return "u_" + (unit == "timeline" ? "sequencer" : unit == "scene_rom" ? "scene" : unit);
-}
 
 }  // namespace racebeam

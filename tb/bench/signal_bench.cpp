@@ -10,6 +10,7 @@
 #include "sc/beam/chip.h"
 #include "sc/beam/chip_core.h"
 #include "sc/beam/stats_collector.h"
+#include "sc/beam/units.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/simulate.h"

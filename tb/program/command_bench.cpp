@@ -9,26 +9,17 @@
 #include <memory>
 #include <utility>
 
-#include "sc/beam/camera_unit.h"
-#include "sc/beam/decision_datapath.h"
-#include "sc/beam/interval_fifo.h"
-#include "sc/beam/navigator.h"
-#include "sc/beam/pixel_output.h"
-#include "sc/beam/pwm_sound.h"
-#include "sc/beam/ray_stepper.h"
-#include "sc/beam/scene.h"
-#include "sc/beam/sequencer.h"
-#include "sc/beam/stacks.h"
-#include "sc/beam/subdivider.h"
-#include "sc/video/vga_timing.h"
+#include "sc/beam/units.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
 #include "tb/base/progress.h"
+#include "tb/show/open_show.h"
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
 #include "tb/twin/unit_bench.h"
+#include "tb/verilate/project_folder.h"
 
 namespace racebeam {
 
@@ -36,39 +27,17 @@ namespace {
 
 using Json = nlohmann::json;
 
-template <class Unit>
-std::unique_ptr<sc_core::sc_module> make() {
-  if constexpr (std::is_constructible_v<Unit, const char*, knobs>)
-    return std::make_unique<Unit>("unit", knobs{});
-  else return std::make_unique<Unit>("unit");
-}
-
-struct UnitRow {
-  const char* name;
-  std::unique_ptr<sc_core::sc_module> (*make)();
-};
-constexpr UnitRow unit_rows[] = {
-    {"vga_timing", make<vga_timing>},
-    {"sequencer", make<sequencer>},
-    {"camera_unit", make<camera_unit>},
-    {"ray_stepper", make<ray_stepper>},
-    {"subdivider", make<subdivider>},
-    {"stacks", make<stacks>},
-    {"decision_datapath", make<decision_datapath>},
-    {"scene", make<scene>},
-    {"navigator", make<navigator>},
-    {"interval_fifo", make<interval_fifo>},
-    {"pixel_output", make<pixel_output>},
-    {"pwm_sound", make<pwm_sound>},
-};
-
-void register_unit(const UnitRow& row, int repeats) {
+void register_unit(const unit_row& row, int repeats) {
   constexpr int Edges = 500'000;
-  std::shared_ptr<sc_core::sc_module> unit = row.make();
+  const bool of_file = row.shows == unit_row::SceneFile;
+  const auto show =
+      std::make_shared<Show>(open_show(of_file ? project_folder() + "/scenes/demo.toml" : "demo"));
+  std::shared_ptr<sc_core::sc_module> unit =
+      row.make("unit", show->standard_knobs(), show->program());
   auto bench = std::make_shared<UnitBench>(*unit);
   bench->stir(1);
   set_up(benchmark::RegisterBenchmark((std::string("unit: ") + row.name).c_str(),
-                                      [unit, bench](benchmark::State& state) {
+                                      [show, unit, bench](benchmark::State& state) {
                                         for (auto _ : state) bench->clock(Edges);
                                         state.counters["clocks"] =
                                             benchmark::Counter(Edges, benchmark::Counter::kIsRate);
@@ -185,7 +154,7 @@ std::string verdict(const Json& worst) {
 
 int command_bench(const BenchOptions& options) {
   std::vector<std::string> known = {Levels, Traces, Mixes, Host};
-  for (const auto& row : unit_rows) known.push_back(row.name);
+  for (const unit_row& row : unit_table()) known.push_back(row.name);
   for (const auto& name : options.rows)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw unknown_name("row", name, known);
@@ -223,7 +192,7 @@ int command_bench(const BenchOptions& options) {
     for (const ChipMix& mix : chip_mixes())
       add(
           1, [&options, mix] { register_mix(mix, options); }, beside_models);
-  for (const auto& row : unit_rows)
+  for (const unit_row& row : unit_table())
     if (wanted(row.name)) add(1, [&] { register_unit(row, options.repeats); });
 
   int rows = 0;

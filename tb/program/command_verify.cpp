@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "sc/beam/units.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <type_traits>
 
-#include "sc/beam/chip.h"
+#include "sc/beam/pwm_sound.h"
+#include "sc/beam/sequencer.h"
+#include "sc/beam/units.h"
 #include "tb/base/interrupt.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/random_traffic.h"
@@ -20,24 +21,6 @@ namespace {
 
 constexpr std::uint64_t Batch = 10000;  // clocks, then it looks
 
-template <class Unit>
-std::unique_ptr<sc_core::sc_module> make(const knobs& k, const scene_program* program) {
-  if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const scene_program&>)
-    return std::make_unique<Unit>("model", k, *program);
-  else if constexpr (std::is_constructible_v<Unit, const char*, const scene_program&>)
-    return std::make_unique<Unit>("model", *program);
-  else if constexpr (std::is_constructible_v<Unit, const char*, const knobs&>)
-    return std::make_unique<Unit>("model", k);
-  else return std::make_unique<Unit>("model");
-}
-
-template <class... Units>
-std::unique_ptr<sc_core::sc_module> make_one_of(const UnitUnderTest& dut) {
-  std::unique_ptr<sc_core::sc_module> made;
-  ((dut.unit == Units::unit_name ? void(made = make<Units>(dut.k, dut.program)) : void()), ...);
-  return made;
-}
-
 /// No episode is long enough to count there. One in four: the last frame.
 int any_frame(const UnitUnderTest& dut, unsigned random) {
   const unsigned frames = dut.program ? static_cast<unsigned>(dut.program->frames) : DemoFrames;
@@ -46,12 +29,6 @@ int any_frame(const UnitUnderTest& dut, unsigned random) {
 
 }  // namespace
 
-std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut) {
-  return make_one_of<vga_timing, sequencer, timeline, camera_unit, ray_stepper, subdivider, stacks,
-                     decision_datapath, scene, scene_rom, navigator, interval_fifo, pixel_output,
-                     pwm_sound>(dut);
-}
-
 std::uint64_t walk_clocks(const std::string& unit) {
   return unit == pwm_sound::unit_name ? TuneWalk::Clocks : 0;
 }
@@ -59,7 +36,7 @@ std::uint64_t walk_clocks(const std::string& unit) {
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
-  const auto model = make_model(dut);
+  const auto model = unit_named(dut.unit).make("model", dut.k, dut.program);
   Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
   lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);

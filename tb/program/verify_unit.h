@@ -43,9 +43,6 @@ struct UnitUnderTest {
   const scene_program* program;  ///< for timeline and scene_rom
 };
 
-/// Its model, called "model".
-std::unique_ptr<sc_core::sc_module> make_model(const UnitUnderTest& dut);
-
 /// What drives a unit alone: RandomTraffic, or a walk through what that does not reach.
 enum class Stimulus { Random, Walk };
 

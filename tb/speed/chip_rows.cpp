@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 
+#include "sc/beam/units.h"
 #include "tb/base/spread_frames.h"
 #include "tb/bench/signal_bench.h"
 #include "tb/bench/tlm_bench.h"

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "sc/beam/units.h"
+
 namespace racebeam {
 
 namespace {

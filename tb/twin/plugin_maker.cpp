@@ -8,6 +8,7 @@
 #include <set>
 
 #include "sc/base/unit_choices.h"
+#include "sc/beam/units.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
 #include "tb/base/console.h"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "sc/beam/units.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"

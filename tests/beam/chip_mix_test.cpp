@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "sc/beam/units.h"
 #include "tb/bench/core_bench.h"
 #include "tb/bench/signal_bench.h"
 #include "tb/twin/plugin_maker.h"

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "sc/base/unit_choices.h"
+#include "sc/beam/units.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/show/show.h"
 #include "tests/cli/cli_trace_bench.h"

@@ -10,7 +10,7 @@
 
 #include "sc/base/unit_choices.h"
 #include "sc/beam/stacks.h"
-#include "tb/program/verify_unit.h"
+#include "sc/beam/units.h"
 #include "tb/scene/scene_compiler.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/twin/plugin_maker.h"
@@ -63,9 +63,9 @@ TEST_P(EveryUnit, TellsEveryInvertedOutputBitAndItsClock) {
   constexpr int Clocks = 100;  // for each bit
   const scene_program program =
       compile_scene(read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/demo.toml").scene);
-  const bool of_scene_files = GetParam() == "timeline" || GetParam() == "scene_rom";
+  const bool of_scene_files = unit_named(GetParam()).shows == unit_row::SceneFile;
   const knobs k = of_scene_files ? program.fitted({}) : knobs{};
-  const auto model = make_model({GetParam(), "", k, &program});
+  const auto model = unit_named(GetParam()).make("model", k, &program);
   const PluginMaker maker(k, of_scene_files ? &program : nullptr);
   Lockstep lockstep("lockstep", GetParam(), *model, k, maker.own(GetParam()));
   UnitBench bench(*model, &lockstep.clk_i);
@@ -86,8 +86,8 @@ TEST_P(EveryUnit, TellsEveryInvertedOutputBitAndItsClock) {
 }
 
 std::vector<std::string> all_units() {
-  std::vector<std::string> units = chip_units(false);
-  units.insert(units.end(), {"timeline", "scene_rom"});
+  std::vector<std::string> units;
+  for (const unit_row& row : unit_table()) units.push_back(row.name);
   return units;
 }
 

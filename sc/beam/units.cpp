@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/beam/units.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+
+#include "sc/beam/chip.h"
+
+namespace racebeam {
+
+namespace {
+
+template <class Unit>
+std::unique_ptr<sc_core::sc_module> make(const char* instance, const knobs& k,
+                                         const scene_program* program) {
+  if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const scene_program&>)
+    return std::make_unique<Unit>(instance, k, *program);
+  else if constexpr (std::is_constructible_v<Unit, const char*, const scene_program&>)
+    return std::make_unique<Unit>(instance, *program);
+  else if constexpr (std::is_constructible_v<Unit, const char*, const knobs&>)
+    return std::make_unique<Unit>(instance, k);
+  else return std::make_unique<Unit>(instance);
+}
+
+template <class Unit, class Slot = Unit>
+constexpr unit_row row(unit_row::use shows = unit_row::Always) {
+  return {Unit::unit_name, Slot::unit_name, shows, make<Unit>};
+}
+
+}  // namespace
+
+const std::vector<unit_row>& unit_table() {
+  static const std::vector<unit_row> table = {
+      row<vga_timing>(),
+      row<sequencer>(unit_row::Demo),
+      row<timeline, sequencer>(unit_row::SceneFile),
+      row<camera_unit>(),
+      row<ray_stepper>(),
+      row<subdivider>(),
+      row<stacks>(),
+      row<decision_datapath>(),
+      row<scene>(unit_row::Demo),
+      row<scene_rom, scene>(unit_row::SceneFile),
+      row<navigator>(),
+      row<interval_fifo>(),
+      row<pixel_output>(),
+      row<pwm_sound>(),
+  };
+  return table;
+}
+
+const unit_row& unit_named(const std::string& name) {
+  const auto& table = unit_table();
+  const auto at = std::find_if(table.begin(), table.end(),
+                               [&](const unit_row& row) { return row.name == name; });
+  if (at == table.end()) throw std::out_of_range("there is no unit " + name);
+  return *at;
+}
+
+std::vector<std::string> chip_units(bool scene_file) {
+  std::vector<std::string> units;
+  for (const unit_row& row : unit_table())
+    if (row.shows == unit_row::Always || (row.shows == unit_row::SceneFile) == scene_file)
+      units.push_back(row.name);
+  return units;
+}
+
+std::string instance_of(const std::string& unit) {
+  return std::string("u_") + unit_named(unit).slot;
+}
+
+}  // namespace racebeam
