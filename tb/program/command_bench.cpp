@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
 #include "tb/base/progress.h"
+#include "tb/program/common_options.h"
 #include "tb/show/open_show.h"
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/host_rows.h"
@@ -215,6 +217,27 @@ int command_bench(const BenchOptions& options) {
     print(report.dump(2) + "\n");
   }
   return ExitGood;
+}
+
+namespace {
+
+void add_options(CLI::App& command, BenchOptions& options) {
+  command.add_option("row", options.rows, "Only these: levels, traces, mixes, host, or units")
+      ->type_name("ROW");
+  add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
+             is_number_in("--frames", 1, 1000))
+      ->capture_default_str();
+  add_number(command, "--repeat", options.repeats, "Runs of which the median counts, 1..100",
+             is_number_in("--repeat", 1, 100))
+      ->capture_default_str();
+  command.add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+}  // namespace
+
+Command bench_row() {
+  return make_command<BenchOptions>("bench", "Measure simulated clocks a second", "Measure",
+                                    "bench levels --frames 3", add_options, command_bench);
 }
 
 }  // namespace racebeam

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/program/command.h"
 #include "tb/speed/chip_rows.h"
 
 namespace racebeam {
@@ -18,5 +19,7 @@ struct BenchOptions : Effort {
 
 /// Returns the exit code. Throws UsageError for an unknown row.
 int command_bench(const BenchOptions& options);
+
+Command bench_row();
 
 }  // namespace racebeam

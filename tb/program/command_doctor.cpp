@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -60,13 +61,26 @@ std::string json_of(const Report& report) {
 
 }  // namespace
 
-int command_doctor(bool json) {
+int command_doctor(const DoctorOptions& options) {
   const Report report;
-  print(json ? json_of(report) : text_of(report));
+  print(options.json ? json_of(report) : text_of(report));
   for (const Check& check : report.checks)
     if (!check.good)
       throw MissingTool("something required does not work: " + check.name + ": " + check.detail);
   return ExitGood;
+}
+
+namespace {
+
+void add_options(CLI::App& command, DoctorOptions& options) {
+  command.add_flag("--json", options.json, "JSON on stdout instead of the text");
+}
+
+}  // namespace
+
+Command doctor_row() {
+  return make_command<DoctorOptions>("doctor", "Check the machine and list versions", "Measure",
+                                     "doctor", add_options, command_doctor);
 }
 
 }  // namespace racebeam

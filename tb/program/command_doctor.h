@@ -4,11 +4,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tb/program/command.h"
+
 namespace racebeam {
 
 /// Prints versions, the machine, checks that files of each kind can be written, and which optional
 /// tools are installed; as JSON if `json`. Returns the exit code; throws MissingTool if a check
 /// failed.
-int command_doctor(bool json);
+struct DoctorOptions {
+  bool json = false;
+};
+
+int command_doctor(const DoctorOptions& options);
+
+Command doctor_row();
 
 }  // namespace racebeam

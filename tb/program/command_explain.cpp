@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "tb/explain/explain_text.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
+#include "tb/program/common_options.h"
 #include "tb/show/open_show.h"
 #include "tb/show/set_knob.h"
 
@@ -115,6 +117,43 @@ int command_explain(const ExplainOptions& options) {
     return options.figure.empty() ? explain_pixel(options) : draw_figure(options);
   }
   return ExitGood;
+}
+
+namespace {
+
+void add_options(CLI::App& command, ExplainOptions& options) {
+  command.add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+  add_number(command, "--frame", options.frame, "Frame of the scene, from 0",
+             is_number("--frame", FirstRange));
+  command
+      .add_option("--pixel", options.pixel, "Pixel of the picture: 0..639,0..479 from the top left")
+      ->type_name("X,Y");
+  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  command.add_flag("--json", options.json, "JSON on stdout instead of the text");
+  CLI::Option* const figure =
+      command
+          .add_option("--figure", options.figure,
+                      "Draw instead, of pixel 185,100 of frame 700 of the demo unless told "
+                      "otherwise: " +
+                          figure_names())
+          ->type_name("NAME");
+  command.add_option("-o,--output", options.output, "Where to: FILE.svg")
+      ->type_name("FILE")
+      ->needs(figure);
+  command.add_option("--word", options.word, "Explain a word instead, such as slack")
+      ->type_name("WORD")
+      ->excludes(figure);
+  command.add_flag("--words", options.words, "Explain all words instead")->excludes(figure);
+}
+
+}  // namespace
+
+Command explain_row() {
+  return make_command<ExplainOptions>(
+      "explain", "Why a pixel is as it is: its interval, the wall it hits, the clocks it took",
+      "See", "explain demo --frame 1000 --pixel 320,240", add_options, command_explain);
 }
 
 }  // namespace racebeam

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/program/command.h"
+
 namespace racebeam {
 
 /// The command line as it was written.
@@ -26,5 +28,7 @@ struct ExplainOptions {
 
 /// Returns the exit code. Throws UsageError, OutputError.
 int command_explain(const ExplainOptions& options);
+
+Command explain_row();
 
 }  // namespace racebeam

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -51,9 +52,22 @@ std::string json_table() {
 
 }  // namespace
 
-int command_knobs(bool json) {
-  print(json ? json_table() : table());
+int command_knobs(const KnobsOptions& options) {
+  print(options.json ? json_table() : table());
   return ExitGood;
+}
+
+namespace {
+
+void add_options(CLI::App& command, KnobsOptions& options) {
+  command.add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+}  // namespace
+
+Command knobs_row() {
+  return make_command<KnobsOptions>("knobs", "List what --set may change", "Measure", "knobs",
+                                    add_options, command_knobs);
 }
 
 }  // namespace racebeam

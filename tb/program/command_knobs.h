@@ -4,9 +4,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tb/program/command.h"
+
 namespace racebeam {
 
 /// Prints the knob table, as JSON if `json`. Returns the exit code.
-int command_knobs(bool json);
+struct KnobsOptions {
+  bool json = false;
+};
+
+int command_knobs(const KnobsOptions& options);
+
+Command knobs_row();
 
 }  // namespace racebeam

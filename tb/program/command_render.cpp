@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/judge/against.h"
+#include "tb/program/common_options.h"
 #include "tb/render/frame_renderer.h"
 #include "tb/render/frame_sequence.h"
 #include "tb/render/render_files.h"
@@ -115,6 +117,90 @@ int command_render(const RenderOptions& options) {
   const bool whole = report.frames() == plan.frames;
   if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;
+}
+
+namespace {
+
+void add_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("scene", options.scene,
+                  "demo: the chip's own demo, 12799 frames; or a scene file")
+      ->type_name("SCENE");
+  const auto number = [&](const char* name, long long& to, const char* range, const char* help) {
+    add_number(command, name, to, help, is_number(name, range))->capture_default_str();
+  };
+  const auto file = [&](const char* name, std::string& to, const char* type, const char* help) {
+    command.add_option(name, to, help)->type_name(type)->check(not_empty());
+  };
+  number("--frames", options.frames, FramesRange, "Frames to render");
+  number("--first", options.first, FirstRange, "First frame, 0..12798");
+  number("--every", options.every, "1..12798 in the demo", "Render only every Nth frame");
+  number("--jobs", options.jobs, "1..256",
+         "Processes that share the frames; the files are the same");
+  command
+      .add_option("--level", options.level,
+                  "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "
+                  "wired at 50.4 MHz (default with --use); both give the same")
+      ->type_name("LEVEL")
+      ->check(not_empty());
+  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--use", options.units,
+                  "Put RTL in a unit's place: model, rtl, lockstep (both, compared), or a file; "
+                  "UNIT may be all; several with commas; repeatable")
+      ->type_name("UNIT=IMPLEMENTATION")
+      ->allow_extra_args(false);
+  add_tt_options(command, options);
+  file("-o,--output", options.folder, "DIR",
+       "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
+       "asked for");
+  command.add_flag("--overwrite", options.overwrite,
+                   "Replace the frames of another render that the folder has; without it only "
+                   "frames of the same settings are added");
+  file("--gif", options.gif, "FILE",
+       "Animated GIF at the chip's speed, 60 frames/s; with --every, at most 0.2 s "
+       "a frame");
+  number("--gif-scale", options.gif_scale, "1..8", "Shrink the GIF N times in both axes, 1..8");
+  file("--wav", options.wav, "FILE", "Sound of consecutive frames");
+  file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
+  file("--stats", options.stats, "FILE.json", "Statistics");
+  file(
+      "--vcd", options.vcd, "FILE",
+      "Ports and wires of the chip as waveform, FILE.vcd or FILE.fst, with level signal; `racebeam "
+      "trace` has windows and registers");
+  command
+      .add_option("--golden", options.golden,
+                  "trace2, trace4, geometry: render with this golden tracer instead of the chip; "
+                  "compare: both, and why they differ")
+      ->type_name("TRACER")
+      ->check(not_empty());
+  command
+      .add_option("--overlay", options.overlays,
+                  "slack, cost, depth: also maps of how early each pixel was known, what it cost, "
+                  "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
+  file("--against", options.against, "demo|FILE.csv",
+       "Compare picture and pins of each frame with checksums: demo, those of the taped-out chip, "
+       "or frame,image_crc32,pins_crc32 in a file");
+  command.add_flag("--crc", options.crc, "Add CRC-32 of picture and pins to the statistics");
+  command.add_flag("--json", options.json, "Statistics as JSON on stdout instead of the table");
+}
+
+}  // namespace
+
+Command render_row() {
+  return {"render", "Render frames as files and statistics", "See",
+          "render demo --first 5000 --frames 60 --gif tunnel.gif", [](CLI::App& command) -> Run {
+            const auto options = std::make_shared<RenderOptions>();
+            add_options(command, *options);
+            return [options](const std::vector<std::string>& words) {
+              options->command = words;
+              return command_render(*options);
+            };
+          }};
 }
 
 }  // namespace racebeam

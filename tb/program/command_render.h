@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tb/program/command.h"
 #include "tb/render/render_options.h"
 
 namespace racebeam {
@@ -12,5 +13,7 @@ namespace racebeam {
 /// frames kept. Throws UsageError, OutputError; SyncError if the chip's pins break the
 /// video mode, after writing what was good.
 int command_render(const RenderOptions& options);
+
+Command render_row();
 
 }  // namespace racebeam

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/output_file.h"
 #include "tb/judge/line_estimate.h"
+#include "tb/program/common_options.h"
 #include "tb/scene/plan_drawing.h"
 #include "tb/scene/scene_check.h"
 #include "tb/scene/scene_sight.h"
@@ -124,6 +126,59 @@ int command_scene_new(const SceneOptions& options) {
   write_text(options.file, starter_scene());
   tell("wrote " + options.file + "; try `racebeam scene plan " + options.file + " -o plan.png`");
   return ExitGood;
+}
+
+namespace {
+
+void add_notes_options(CLI::App& notes, SceneOptions& options) {
+  notes.add_option("scene", options.scenes, "Scene files, or demo")->required()->type_name("SCENE");
+  notes.add_option("-o,--output", options.notes, "Markdown")
+      ->required()
+      ->type_name("FILE.md")
+      ->check(not_empty());
+  add_number(notes, "--frames", options.frames, "Frames of each scene, spread evenly over it",
+             is_number_in("--frames", 1, 1000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Command scene_row() {
+  return {
+      "scene", "Check, show, draw, start and judge scene files", "Write", "scene new my.toml",
+      [](CLI::App& command) -> Run {
+        const auto options = std::make_shared<SceneOptions>();
+        const auto chosen = std::make_shared<int (*)(const SceneOptions&)>();
+        command.require_subcommand(1);
+        const auto add = [&](const char* name, const char* help, int (*run)(const SceneOptions&)) {
+          CLI::App* one = command.add_subcommand(name, help);
+          one->callback([chosen, run] { *chosen = run; });
+          return one;
+        };
+        const auto add_of_file = [&](const char* name, const char* help,
+                                     int (*run)(const SceneOptions&)) {
+          CLI::App* one = add(name, help, run);
+          one->add_option("file", options->file, "Scene file (TOML)")
+              ->required()
+              ->type_name("FILE");
+          return one;
+        };
+        add_of_file("check", "List all faults with line, column and help", command_scene_check);
+        add_of_file("show", "Counts, widths and an estimate of the worst line", command_scene_show)
+            ->add_flag("--json", options->json, "JSON on stdout instead of the text");
+        add_of_file("plan", "Draw rooms, portals and the camera's way", command_scene_plan)
+            ->add_option("-o,--output", options->picture, "Picture: FILE.png or FILE.svg")
+            ->required()
+            ->type_name("FILE")
+            ->check(not_empty());
+        add_of_file("new", "Write a scene to start from", command_scene_new);
+        add_notes_options(*add("notes",
+                               "Counters of some frames, and why the chip does not show the "
+                               "ideal pictures",
+                               command_scene_notes),
+                          *options);
+        return [options, chosen](const std::vector<std::string>&) { return (*chosen)(*options); };
+      }};
 }
 
 }  // namespace racebeam

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/program/command.h"
+
 namespace racebeam {
 
 struct SceneOptions {
@@ -32,5 +34,7 @@ int command_scene_new(const SceneOptions& options);
 /// Markdown; ExitDifference if some pixel remains unexplained. Throws UsageError if a scene has
 /// faults, OutputError.
 int command_scene_notes(const SceneOptions& options);
+
+Command scene_row();
 
 }  // namespace racebeam

@@ -5,11 +5,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tb/program/command.h"
 #include "tb/trace/trace_options.h"
 
 namespace racebeam {
 
 /// Returns the exit code. Throws UsageError, RtlError, MissingTool, OutputError.
 int command_trace(const TraceOptions& options);
+
+Command trace_row();
 
 }  // namespace racebeam

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -16,8 +17,10 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/bench/signal_bench.h"
+#include "tb/program/common_options.h"
 #include "tb/program/verify_report.h"
 #include "tb/program/verify_unit.h"
+#include "tb/program/verify_watch.h"
 #include "tb/show/open_show.h"
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
@@ -207,6 +210,49 @@ int command_verify(const VerifyOptions& options) {
   if (interrupted()) return ExitInterrupted;
   if (faulty) return ExitUsage;
   return differs ? ExitDifference : ExitGood;
+}
+
+namespace {
+
+constexpr long long MostRandomClocks = 1'000'000'000'000;
+constexpr long long LargestSeed = 0xffffffff;
+
+void add_options(CLI::App& command, VerifyOptions& options) {
+  command
+      .add_option("unit", options.units,
+                  "UNIT; UNIT=FILE.sv, UNIT=A.sv+B.sv, UNIT=LIST.f, UNIT=FOLDER; or all")
+      ->type_name("UNIT");
+  command.add_option("--scene", options.scene, "demo, or a scene file")
+      ->type_name("SCENE")
+      ->capture_default_str();
+  add_number(command, "--frames", options.frames, "Frames of the chip, spread over the scene",
+             is_number("--frames", "0..12799 in the demo"))
+      ->capture_default_str();
+  add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
+             is_number_in("--random", 0, MostRandomClocks))
+      ->capture_default_str();
+  command.add_option("--set", options.assignments, "Change a knob: see `racebeam knobs`")
+      ->type_name("KNOB=VALUE");
+  add_number(command, "--seed", options.seed, "Of the random traffic",
+             is_number_in("--seed", 0, LargestSeed))
+      ->capture_default_str();
+  command.add_option("-o,--output", options.folder, "Folder for the waveforms of differences")
+      ->type_name("DIR")
+      ->check(not_empty())
+      ->capture_default_str();
+  command.add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
+  command.add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+int run(const VerifyOptions& options) {
+  return options.watch ? verify_watch(options) : command_verify(options);
+}
+
+}  // namespace
+
+Command verify_row() {
+  return make_command<VerifyOptions>("verify", "Compare model and RTL of units in every clock",
+                                     "Verify", "verify stacks=mine.sv", add_options, run);
 }
 
 }  // namespace racebeam

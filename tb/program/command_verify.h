@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sc/base/knobs.h"
+#include "tb/program/command.h"
 #include "tb/show/show.h"
 
 namespace racebeam {
@@ -36,5 +37,7 @@ VerifyPlan plan_verify(const VerifyOptions& options);
 /// comparison, otherwise ExitDifference if one differs. Throws UsageError, RtlError,
 /// MissingTool.
 int command_verify(const VerifyOptions& options);
+
+Command verify_row();
 
 }  // namespace racebeam

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/program/command.h"
+
 namespace racebeam {
 
 struct VerilateOptions {
@@ -20,5 +22,7 @@ struct VerilateOptions {
 
 /// Writes the plug-in. Throws UsageError, RtlError, OutputError, MissingTool, Interrupted.
 int command_verilate(const VerilateOptions& options);
+
+Command verilate_row();
 
 }  // namespace racebeam

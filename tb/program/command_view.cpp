@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/nearest.h"
+#include "tb/program/common_options.h"
 #include "tb/program/view_setting.h"
 #include "tb/program/view_tt.h"
 #include "tb/show/open_show.h"
@@ -162,6 +164,59 @@ int command_view(const ViewOptions& options) {
   if (const std::string said = viewer.end(); !said.empty()) tell(said);
   if (again) start_again(options, viewer);
   return code;
+}
+
+namespace {
+
+void add_options(CLI::App& command, ViewOptions& options) {
+  command.add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+  add_number(command, "--first", options.first, "First frame", is_number("--first", FirstRange))
+      ->capture_default_str();
+  add_number(command, "--frames", options.frames, "End after so many frames, and leave out none",
+             is_number("--frames", "1 or more"));
+  command
+      .add_option("--level", options.level,
+                  "tlm: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
+                  "own speed; tlm without --use")
+      ->type_name("LEVEL")
+      ->check(not_empty());
+  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
+      ->type_name("UNIT=IMPLEMENTATION")
+      ->allow_extra_args(false);
+  add_tt_options(command, options);
+  command
+      .add_option("--sound-pin", options.sound_pin,
+                  "With --tt: the pin of uio_out that is heard, 0..7; 7")
+      ->type_name("N");
+  command
+      .add_option("--record-inputs", options.record_inputs,
+                  "With --tt: write the inputs, those of the keys too, for --inputs")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
+  command.add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
+      ->type_name("DIR")
+      ->check(not_empty())
+      ->capture_default_str();
+  command.add_option("--keys", options.keys, "Keys to press, one after each picture: \"1 g t o\"")
+      ->type_name("NAMES");
+  add_number(command, "--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well",
+             is_number("--scale", "0..8"))
+      ->capture_default_str();
+  command.add_flag(
+      "--term", options.terminal,
+      "In this terminal, in 24-bit colours, instead of a window; with --frames also as "
+      "text into a file");
+  command.add_flag("--paused", options.paused, "Start with the first frame, and wait for keys");
+}
+
+}  // namespace
+
+Command view_row() {
+  return make_command<ViewOptions>("view", "Watch a scene in a window, with sound (F1: keys)",
+                                   "See", "view demo --first 5000", add_options, command_view);
 }
 
 }  // namespace racebeam

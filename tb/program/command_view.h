@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/program/command.h"
 #include "tb/tt/tt_options.h"
 
 namespace racebeam {
@@ -30,5 +31,7 @@ struct ViewOptions : TtOptions {
 /// Runs until the user quits. Returns the exit code. Throws UsageError, MissingTool, RtlError,
 /// OutputError, SyncError.
 int command_view(const ViewOptions& options);
+
+Command view_row();
 
 }  // namespace racebeam

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command.h"
+#include "tb/program/command_bench.h"
+#include "tb/program/command_doctor.h"
+#include "tb/program/command_explain.h"
+#include "tb/program/command_knobs.h"
+#include "tb/program/command_render.h"
+#include "tb/program/command_scene.h"
+#include "tb/program/command_trace.h"
+#include "tb/program/command_verify.h"
+#include "tb/program/command_verilate.h"
+#include "tb/program/command_view.h"
+
+namespace racebeam {
+
+const std::vector<Command>& command_table() {
+  static const std::vector<Command> table = {
+      render_row(), view_row(),     explain_row(), trace_row(), scene_row(),
+      verify_row(), verilate_row(), knobs_row(),   bench_row(), doctor_row(),
+  };
+  return table;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/common_options.h"
+
+namespace racebeam {
+
+const CLI::Validator& not_empty() {
+  static const CLI::Validator validator(
+      [](const std::string& text) { return text.empty() ? "an empty name" : ""; }, "", "not empty");
+  return validator;
+}
+
+void add_tt_options(CLI::App& command, TtOptions& options) {
+  command
+      .add_option("--tt", options.project,
+                  "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) "
+                  "and run it")
+      ->type_name("DIR")
+      ->check(not_empty());
+  add_number(command, "--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255",
+             is_number("--ui", "0..255"));
+  add_number(command, "--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255",
+             is_number("--uio", "0..255"));
+  command
+      .add_option("--clock-hz", options.reading.clock_hz,
+                  "The clock of the chip of --tt, instead of clock_hz of info.yaml")
+      ->type_name("N")
+      ->check(is_number("--clock-hz", "in Hz"));
+  command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command
+      .add_option("-I,--include", options.reading.include_folders,
+                  "Look for includes of --tt here, before its own folders; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  command.add_flag("--trust", options.reading.trust,
+                   "Let the RTL of --tt run commands and read and write any file");
+  command
+      .add_option("--inputs", options.inputs,
+                  "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
+                  "writes them: frame,line,clock,ui,uio")
+      ->type_name("FILE.csv")
+      ->check(not_empty());
+}
+
+}  // namespace racebeam
