@@ -16,21 +16,21 @@ class App;
 namespace racebeam {
 
 /// Does what the command line asks for; the exit code. `words`: all of it, program name first.
-using Run = std::function<int(const std::vector<std::string>& words)>;
+using RunCommand = std::function<int(const std::vector<std::string>& words)>;
 
 struct Command {
   std::string name, summary;
   std::string group;    ///< in the help
   std::string example;  ///< a command line without the program's name
   /// Adds the options to the command line's reader; what it returns keeps what they are read into.
-  std::function<Run(CLI::App& command)> add;
+  std::function<RunCommand(CLI::App& command)> add;
 };
 
 /// A command that is run with its options alone.
 template <class Options>
 Command make_command(const char* name, const char* summary, const char* group, const char* example,
                      void (*add)(CLI::App&, Options&), int (*run)(const Options&)) {
-  return {name, summary, group, example, [add, run](CLI::App& command) -> Run {
+  return {name, summary, group, example, [add, run](CLI::App& command) -> RunCommand {
             const auto options = std::make_shared<Options>();
             add(command, *options);
             return [options, run](const std::vector<std::string>&) { return run(*options); };

@@ -65,7 +65,7 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<HelpText>());  // of the commands too, which are added later
   app.footer(ExitCodes);
-  std::vector<Run> runs;
+  std::vector<RunCommand> runs;
   for (const Command& row : command_table()) {
     CLI::App* command = app.add_subcommand(row.name, row.summary);
     command->group(row.group);

@@ -193,7 +193,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
 
 Command render_row() {
   return {"render", "Render frames as files and statistics", "See",
-          "render demo --first 5000 --frames 60 --gif tunnel.gif", [](CLI::App& command) -> Run {
+          "render demo --first 5000 --frames 60 --gif tunnel.gif",
+          [](CLI::App& command) -> RunCommand {
             const auto options = std::make_shared<RenderOptions>();
             add_options(command, *options);
             return [options](const std::vector<std::string>& words) {

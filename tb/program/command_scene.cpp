@@ -146,7 +146,7 @@ void add_notes_options(CLI::App& notes, SceneOptions& options) {
 Command scene_row() {
   return {
       "scene", "Check, show, draw, start and judge scene files", "Write", "scene new my.toml",
-      [](CLI::App& command) -> Run {
+      [](CLI::App& command) -> RunCommand {
         const auto options = std::make_shared<SceneOptions>();
         const auto chosen = std::make_shared<int (*)(const SceneOptions&)>();
         command.require_subcommand(1);
