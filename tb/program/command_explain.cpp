@@ -17,8 +17,6 @@
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/program/common_options.h"
-#include "tb/show/open_show.h"
-#include "tb/show/set_knob.h"
 
 namespace racebeam {
 
@@ -51,24 +49,19 @@ Pixel pixel_of(const std::string& text) {
   return {*column, *row};
 }
 
-/// The show, frame, pixel and knobs that are asked about.
-struct Subject {
-  Show show;
-  knobs k;
+/// What is asked about.
+struct Subject : Run {
   int frame;
   Pixel pixel;
 };
 
 Subject subject_of(const ExplainOptions& options) {
   const Pixel pixel = pixel_of(options.pixel);
-  Show show = open_show(options.scene);
-  if (options.frame < 0 || options.frame >= show.frames())
-    throw UsageError(
-        fmt::format("--frame {} is out of range; 0..{}", options.frame, show.frames() - 1));
-  knobs k = show.standard_knobs();
-  set_knobs(k, options.assignments);
-  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
-  return {std::move(show), k, static_cast<int>(options.frame), pixel};
+  Run run = open_run(options);
+  const int last = run.show.frames() - 1;
+  if (options.frame < 0 || options.frame > last)
+    throw UsageError(fmt::format("--frame {} is out of range; 0..{}", options.frame, last));
+  return {std::move(run), static_cast<int>(options.frame), pixel};
 }
 
 int explain_pixel(const ExplainOptions& options) {
@@ -82,8 +75,7 @@ int explain_pixel(const ExplainOptions& options) {
                     "or --figure, --word; see `racebeam explain --help`",
                     missing));
   const Subject s = subject_of(options);
-  std::string repeat = options.scene;
-  for (const std::string& assignment : options.assignments) repeat += " --set " + assignment;
+  const std::string repeat = options.scene + options.set_text();
   const Explanation e(s.show, s.k, s.frame, s.pixel.column, s.pixel.row);
   print(options.json ? explain_json(e, s.k, repeat) : explain_text(e, repeat));
   return ExitGood;
@@ -128,9 +120,7 @@ void add_options(CLI::App& command, ExplainOptions& options) {
   command
       .add_option("--pixel", options.pixel, "Pixel of the picture: 0..639,0..479 from the top left")
       ->type_name("X,Y");
-  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
-      ->type_name("KNOB=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(command, options);
   command.add_flag("--json", options.json, "JSON on stdout instead of the text");
   CLI::Option* const figure =
       command

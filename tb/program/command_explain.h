@@ -7,22 +7,20 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "tb/program/command.h"
+#include "tb/show/run.h"
 
 namespace racebeam {
 
 /// The command line as it was written.
-struct ExplainOptions {
+struct ExplainOptions : RunOptions {
   static constexpr long long NoFrame = std::numeric_limits<long long>::min();
-  std::string scene;          ///< empty: not given
   long long frame = NoFrame;  ///< NoFrame: not given
   std::string pixel;          ///< "X,Y"; empty: not given
   std::string figure, output;
   std::string word;
   bool words = false;
-  std::vector<std::string> assignments;
   bool json = false;
 };
 

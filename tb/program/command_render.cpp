@@ -57,7 +57,7 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
                       int frames) {
   std::string rest;
   for (const std::string& units : options.units) rest += " --use " + units;
-  for (const std::string& assignment : options.assignments) rest += " --set " + assignment;
+  rest += options.set_text();
   std::vector<int> rendered;
   for (int i = 0; i <= frames && i < plan.frames; ++i) rendered.push_back(plan.frame(i));
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
@@ -69,8 +69,8 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
     differs = true;
     const BeamPlace place = place_of(unit->first()->clock, rendered, raster);
     const std::string repeat =
-        fmt::format("racebeam render {} --first {}{}", plan.scene, place.frame, rest);
-    const std::string closer = trace_command(plan.scene, place.frame, unit->unit(), rest);
+        fmt::format("racebeam render {} --first {}{}", options.scene, place.frame, rest);
+    const std::string closer = trace_command(options.scene, place.frame, unit->unit(), rest);
     const std::string window =
         plan.folder.empty()
             ? ""
@@ -143,9 +143,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
                   "wired at 50.4 MHz (default with --use); both give the same")
       ->type_name("LEVEL")
       ->check(not_empty());
-  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
-      ->type_name("KNOB=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(command, options);
   command
       .add_option("--use", options.units,
                   "Put RTL in a unit's place: model, rtl, lockstep (both, compared), or a file; "

@@ -13,13 +13,10 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/program/common_options.h"
-#include "tb/show/open_show.h"
-#include "tb/show/set_knob.h"
 #include "tb/trace/event_watch.h"
 #include "tb/trace/trace_tt.h"
 #include "tb/trace/trigger.h"
 #include "tb/trace/window_writer.h"
-#include "tb/twin/use_option.h"
 #include "tb/wave/clocked_waves.h"
 #include "tb/wave/diff_report.h"
 #include "tb/wave/draw_waveform.h"
@@ -47,14 +44,14 @@ int draw(const TraceOptions& options) {
 /// The window that the command line says, or that the cores alone can find; none if the user stops
 /// them.
 std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWindowReader& reader,
-                                     const SignalBench::Options& setting, const Raster& raster) {
+                                     const Run& run, const Raster& raster) {
   if (!options.searches()) return reader.window(options.from, options.to);
   const TraceWindow where = options.searched(reader);
   const std::int64_t begin = TracePoint{where.from.frame, FirstLine, 0}.ordinal(raster);
   const int line = raster.line_clocks();
   Progress progress((where.to.ordinal(raster) - begin) / line + 1, "lines");
   const std::optional<TracePoint> found = find_trigger(
-      options.around, where, setting.k, raster, setting.program, [&](std::int64_t clocks) {
+      options.around, where, run.k, raster, run.show.program(), [&](std::int64_t clocks) {
         progress.draw(clocks / line, static_cast<std::uint64_t>(clocks));
         return !interrupted();
       });
@@ -108,37 +105,35 @@ int command_trace(const TraceOptions& options) {
   if (options.scene.empty())
     throw UsageError(
         "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
-  const Show show = open_show(options.scene);
-  SignalBench::Options setting{show.standard_knobs()};
-  set_knobs(setting.k, options.assignments);
-  if (const std::string why = show.objection(setting.k); !why.empty()) throw UsageError(why);
-  setting.program = show.program();
-  const Raster raster(setting.k.clocks_per_pixel, setting.k.speed);
-  const TraceWindowReader reader(show.frames(), raster);
+  Run run = open_run(options);
+  const Raster raster(run.k.clocks_per_pixel, run.k.speed);
+  const TraceWindowReader reader(run.show.frames(), raster);
   reader.check(options.from, options.to);
   options.check(raster);
 
-  const WindowWriter writer{show.name(), [&](int frame) { return show.part(frame); },
+  const WindowWriter writer{run.show.name(), [&](int frame) { return run.show.part(frame); },
                             options.output, options.picture, options.selection()};
   catch_interrupts();
   std::optional<TraceWindow> window;
   if (!options.watches()) {
-    window = window_of(options, reader, setting, raster);
+    window = window_of(options, reader, run, raster);
     if (!window) return ExitInterrupted;
   }
   if (window && !options.picture.empty())
     check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
   if (options.transactions())
-    return writer.write_transactions(setting.k, setting.program, raster, *window);
+    return writer.write_transactions(run.k, run.show.program(), raster, *window);
 
-  const UseOption use(setting.k, show.program(), true);
-  for (const std::string& choice : options.units) use.use(setting.units, choice);
-  if (options.awaits_mismatch() && !compares(setting.units))
+  use_units(run, options.units, true);
+  if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
+  SignalBench::Options setting{run.k};
+  setting.program = run.show.program();
+  setting.units = run.units;
   SignalBench bench(setting);
   if (!window) return watch(options, reader, bench, raster, writer);
-  TraceRun run(bench, raster, window->from.frame);
-  return writer.write(run, *window);
+  TraceRun traced(bench, raster, window->from.frame);
+  return writer.write(traced, *window);
 }
 
 namespace {
@@ -192,7 +187,7 @@ void add_options(CLI::App& command, TraceOptions& options) {
   number("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
       ->capture_default_str();
   add_tt_options(command, options);
-  list("--set", options.assignments, "KNOB=VALUE", "Set a knob (`racebeam knobs`); repeatable");
+  add_set_option(command, options);
   list("--use", options.units, "UNIT=IMPLEMENTATION",
        "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
   command.add_option("--diff", options.diff, "Instead of a scene: compare two files")

@@ -21,8 +21,6 @@
 #include "tb/program/verify_report.h"
 #include "tb/program/verify_unit.h"
 #include "tb/program/verify_watch.h"
-#include "tb/show/open_show.h"
-#include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/lockstep_report.h"
 #include "tb/twin/use_option.h"
@@ -51,16 +49,14 @@ std::string repeat_text(const VerifyOptions& options, const std::string& unit, l
   std::string text =
       fmt::format("racebeam verify {} --scene {} --frames {} --random {} --seed {}",
                   word_of(options, unit), options.scene, frames, random, options.seed);
-  for (const std::string& assignment : options.assignments) text += " --set " + assignment;
-  return text;
+  return text + options.set_text();
 }
 
 /// The command that shows the chip around a difference in a frame.
 std::string closer_text(const VerifyOptions& options, const std::string& unit, int frame) {
   const std::string word = word_of(options, unit), file = word.substr(unit.size());
-  std::string rest = " --use " + unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
-  for (const std::string& assignment : options.assignments) rest += " --set " + assignment;
-  return trace_command(options.scene, frame, unit, rest);
+  const std::string use = unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
+  return trace_command(options.scene, frame, unit, " --use " + use + options.set_text());
 }
 
 /// All units at once, in the chip, over frames spread over the show, until each has differed or
@@ -159,24 +155,19 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
 
 }  // namespace
 
-VerifyPlan plan_verify(const VerifyOptions& options) {
-  VerifyPlan plan{open_show(options.scene), {}};
-  const Show& show = plan.show;
+Run plan_verify(const VerifyOptions& options) {
   if (options.frames == 0 && options.random == 0)
     throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
-  if (options.frames < 0 || options.frames > show.frames())
+  Run run = open_run(options, true);
+  if (options.frames < 0 || options.frames > run.show.frames())
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
-                                 show.frames()));
-  plan.k = show.standard_knobs();
-  set_knobs(plan.k, options.assignments);
-  if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
-  return plan;
+                                 run.show.frames()));
+  return run;
 }
 
 int command_verify(const VerifyOptions& options) {
-  const auto [show, k] = plan_verify(options);
+  auto [show, level, k, choices] = plan_verify(options);
   const UseOption use(k, show.program());
-  unit_choices choices;
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
   catch_interrupts();
@@ -231,8 +222,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
              is_number_in("--random", 0, MostRandomClocks))
       ->capture_default_str();
-  command.add_option("--set", options.assignments, "Change a knob: see `racebeam knobs`")
-      ->type_name("KNOB=VALUE");
+  add_set_option(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
       ->capture_default_str();

@@ -5,33 +5,26 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "sc/base/knobs.h"
 #include "tb/program/command.h"
-#include "tb/show/show.h"
+#include "tb/show/run.h"
 
 namespace racebeam {
 
-struct VerifyOptions {
-  std::vector<std::string> units;  ///< UNIT, UNIT=FILE or all; none: all
-  std::string scene = "demo";
-  std::vector<std::string> assignments;  ///< knob=value
-  long long frames = 60;                 ///< of the scene, evenly spread; 0: no chip traffic
-  long long random = 100000;             ///< clocks of random traffic for each unit
+/// `units`: UNIT, UNIT=FILE or all; none: all.
+struct VerifyOptions : RunOptions {
+  VerifyOptions() { scene = "demo"; }
+
+  long long frames = 60;      ///< of the scene, evenly spread; 0: no chip traffic
+  long long random = 100000;  ///< clocks of random traffic for each unit
   long long seed = 1;
   std::string folder = "racebeam_verify";  ///< for waveforms of differences
   bool watch = false;                      ///< for verify_watch()
   bool json = false;
 };
 
-struct VerifyPlan {
-  Show show;
-  knobs k;
-};
-
 /// What is to be compared, but for the RTL. Throws UsageError.
-VerifyPlan plan_verify(const VerifyOptions& options);
+Run plan_verify(const VerifyOptions& options);
 
 /// Prints a table of units. Returns ExitUsage if RTL has ended before its
 /// comparison, otherwise ExitDifference if one differs. Throws UsageError, RtlError,

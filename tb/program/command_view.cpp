@@ -15,13 +15,10 @@
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
-#include "tb/base/nearest.h"
 #include "tb/program/common_options.h"
 #include "tb/program/view_setting.h"
 #include "tb/program/view_tt.h"
 #include "tb/show/open_show.h"
-#include "tb/show/set_knob.h"
-#include "tb/twin/use_option.h"
 #include "tb/view/signal_source.h"
 #include "tb/view/tlm_source.h"
 
@@ -33,35 +30,15 @@ namespace {
 
 constexpr const char* BuiltIn = "demo";
 
-std::string level_of(const ViewOptions& options) {
-  if (options.level.empty()) return options.units.empty() ? "tlm" : "signal";
-  if (options.level != "tlm" && options.level != "signal")
-    throw unknown_name("level", options.level, {"tlm", "signal"});
-  if (options.level == "tlm" && !options.units.empty())
-    throw UsageError("--use needs --level signal; leave out --level, or --use");
-  return options.level;
-}
-
-knobs knobs_of(const ViewOptions& options, const Show& show) {
-  knobs k = show.standard_knobs();
-  set_knobs(k, options.assignments);
-  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
-  return k;
-}
-
-Stage tlm_stage(const ViewOptions& options, const Show& show) {
-  const knobs k = knobs_of(options, show);
+Stage tlm_stage(const Show& show, const knobs& k) {
   const SceneFile* scene = show.scene();
   const bool wraps = !scene || scene->wrap || scene->overlap;
   return {show, k, std::make_unique<TlmSource>(k, show.program(), wraps)};
 }
 
-Stage signal_stage(const ViewOptions& options, const Show& show) {
-  const knobs k = knobs_of(options, show);
-  unit_choices units;
-  const UseOption use(k, show.program());
-  for (const std::string& choice : options.units) use.use(units, choice);
-  return {show, k, std::make_unique<SignalSource>(k, show.program(), units)};
+Stage signal_stage(Run run, const std::vector<std::string>& units) {
+  use_units(run, units);
+  return {run.show, run.k, std::make_unique<SignalSource>(run.k, run.show.program(), run.units)};
 }
 
 /// SystemC wires a chip once in a process: another scene needs another process.
@@ -86,7 +63,7 @@ void start_again(const ViewOptions& options, const Viewer& viewer) {
                                     "view",
                                     options.scene,
                                     "--level",
-                                    "signal",
+                                    LevelSignal,
                                     "--first",
                                     std::to_string(frame),
                                     "--scale",
@@ -120,9 +97,7 @@ Show demo_file() {
 
 std::string explain_of(const ViewOptions& options) {
   const bool plain = options.scene.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos;
-  std::string command = "explain " + (plain ? options.scene : "'" + options.scene + "'");
-  for (const std::string& one : options.assignments) command += " --set " + one;
-  return command;
+  return "explain " + (plain ? options.scene : "'" + options.scene + "'") + options.set_text();
 }
 
 }  // namespace
@@ -132,21 +107,19 @@ int command_view(const ViewOptions& options) {
   refuse_tt_options(options);
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam view --help` shows what it takes");
-  const std::string level = level_of(options);
   const std::vector<std::string> keys = keys_to_press(options, false);
-  const Show show = open_show(options.scene);
-  Viewer::Options setting = viewer_options(options, show.frames());
+  const Run run = open_run(options);
+  Viewer::Options setting = viewer_options(options, run.show.frames());
   if (options.scene != BuiltIn) setting.scene_file = options.scene;
   setting.demo_file = demo_file;
   setting.explain = explain_of(options);
-  const bool tlm = level == "tlm";
-  if (tlm) setting.restage = [&](const Show& changed) { return tlm_stage(options, changed); };
-  else
-    setting.restage = [&](const Show& changed) -> Stage {
-      knobs_of(options, changed);  // an objection is told, and the old scene goes on
-      throw StartAgain{};
-    };
-  Stage stage = tlm ? tlm_stage(options, show) : signal_stage(options, show);
+  const bool tlm = run.level == LevelTlm;
+  setting.restage = [&](const Show& changed) {
+    const knobs k = knobs_of(changed, options.assignments);  // or the old scene goes on
+    if (!tlm) throw StartAgain{};
+    return tlm_stage(changed, k);
+  };
+  Stage stage = tlm ? tlm_stage(run.show, run.k) : signal_stage(run, options.units);
   auto screen = open_screen(options);
   Viewer viewer(std::move(stage), setting);
   viewer.control.state.paused = options.paused;
@@ -180,9 +153,7 @@ void add_options(CLI::App& command, ViewOptions& options) {
                   "own speed; tlm without --use")
       ->type_name("LEVEL")
       ->check(not_empty());
-  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
-      ->type_name("KNOB=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(command, options);
   command.add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);

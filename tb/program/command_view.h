@@ -6,18 +6,15 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "tb/program/command.h"
+#include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
 
 namespace racebeam {
 
 /// The command line as it was written.
-struct ViewOptions : TtOptions {
-  std::string scene;
-  std::string level;  ///< "tlm", "signal"; empty: signal if there are units, else tlm
-  std::vector<std::string> assignments, units;
+struct ViewOptions : RunOptions, TtOptions {
   long long first = 0, scale = 0;
   std::optional<long long> frames;
   std::string keys;  ///< names with blanks between

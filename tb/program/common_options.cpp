@@ -10,6 +10,12 @@ const CLI::Validator& not_empty() {
   return validator;
 }
 
+void add_set_option(CLI::App& command, RunOptions& options) {
+  command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+}
+
 void add_tt_options(CLI::App& command, TtOptions& options) {
   command
       .add_option("--tt", options.project,

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tb/program/number_option.h"
+#include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
 
 namespace racebeam {
@@ -19,6 +20,9 @@ CLI::Option* add_number(CLI::App& command, const char* name, Number& to, const c
                         const CLI::Validator& number) {
   return command.add_option(name, to, help)->type_name("N")->check(number);
 }
+
+/// --set, of a command that runs the chip.
+void add_set_option(CLI::App& command, RunOptions& options);
 
 /// The options of a Tiny Tapeout chip, of a command that can run one.
 void add_tt_options(CLI::App& command, TtOptions& options);

@@ -10,18 +10,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "sc/swap/rtl_remarks.h"
 #include "tb/base/console.h"
-#include "tb/base/content_hash.h"
 #include "tb/base/nearest.h"
 #include "tb/base/output_file.h"
-#include "tb/base/whole_file.h"
 #include "tb/render/output_folder.h"
-#include "tb/show/level.h"
-#include "tb/show/open_show.h"
-#include "tb/show/set_knob.h"
-#include "tb/twin/use_option.h"
-#include "tb/verilate/source_list.h"
+#include "tb/render/unit_files.h"
 #include "tb/wave/wave_file.h"
 
 namespace racebeam {
@@ -100,22 +93,6 @@ void check_outputs(const OutputPlan& plan) {
   check_extension("--stats", plan.stats, ".json");
 }
 
-// RTL has pins, and waveforms have wires: both need a chip that is wired.
-std::string chosen_level(const RenderOptions& options) {
-  const bool wired = !options.units.empty() || !options.vcd.empty();
-  if (options.level.empty()) return wired ? LevelSignal : LevelTlm;
-  check_known("level", options.level, {LevelTlm, LevelSignal});
-  if (options.level == LevelTlm && !options.units.empty())
-    throw UsageError(
-        "--use puts RTL between the wires of --level signal; tlm has none: leave out "
-        "--level tlm, or --use");
-  if (options.level == LevelTlm && !options.vcd.empty())
-    throw UsageError(
-        "--vcd shows the wires of --level signal; leave out --level tlm, or see `racebeam trace "
-        "--level tlm`");
-  return options.level;
-}
-
 // What a waveform of whole frames needs.
 void check_wave(const RenderPlan& plan) {
   if (plan.vcd.empty()) return;
@@ -178,35 +155,6 @@ void check_distinct(const OutputPlan& plan) {
   }
 }
 
-// What stands in the units' places, as `--use` says it: "stacks=rtl,scene=lockstep:a.sv+b.sv".
-std::map<std::string, ManifestUnit> units_of(const RenderPlan& plan,
-                                             const std::vector<std::string>& uses) {
-  std::map<std::string, ManifestUnit> units;
-  for (const auto& [name, choice] : plan.units.by_unit)
-    if (choice.lockstep || choice.driver == unit_choice::Rtl)
-      units[name].implementation = choice.lockstep ? "lockstep" : "rtl";
-  for (const std::string& text : uses) {
-    std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');) {
-      const auto equals = word.find('=');
-      const auto unit = units.find(word.substr(0, equals));
-      if (equals == std::string::npos || unit == units.end()) continue;
-      const auto start = word.find("lockstep:") == equals + 1 ? word.find(':') : equals;
-      unit->second.files.clear();
-      const std::string text = word.substr(start + 1);
-      if (text == "rtl" || text == "lockstep") continue;  // ours, even beside a folder of that name
-      if (!is_source_list(text) && fs::path(text).extension() != ".so") continue;
-      for (const std::string& file :
-           is_source_list(text) ? files_of_list(unit->first, text) : std::vector{text}) {
-        std::error_code ignored;
-        if (fs::is_regular_file(file, ignored))
-          unit->second.files[nearer_path(file)] = content_hash(whole_file(file));
-      }
-    }
-  }
-  return units;
-}
-
 // Frames beyond the last one are those from the start.
 void tell_of_wrap(const RenderPlan& plan) {
   const long long last = plan.first + (plan.frames - 1LL) * plan.every;
@@ -267,22 +215,17 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
   refuse_tt_options(options);
-  const Show show = open_show(options.scene);
-  RenderPlan plan{plan_output(options, show.frames()),
-                  options.scene,
-                  show,
-                  chosen_level(options),
-                  show.standard_knobs(),
-                  tracer_of(options.golden),
-                  options.golden == Compare,
-                  {}};
+  const Run run = open_run(options, !options.vcd.empty());
+  if (run.level == LevelTlm && !options.vcd.empty())
+    throw UsageError(
+        "--vcd shows the wires of --level signal; leave out --level tlm, or see `racebeam trace "
+        "--level tlm`");
+  RenderPlan plan{run, plan_output(options, run.show.frames()), tracer_of(options.golden),
+                  options.golden == Compare};
   tell_of_wrap(plan);
   if (plan.tracer) plan.level = "golden " + options.golden;
-  set_knobs(plan.k, options.assignments);
-  if (const std::string why = show.objection(plan.k); !why.empty()) throw UsageError(why);
-  const UseOption use(plan.k, show.program());
-  for (const std::string& choice : options.units) use.use(plan.units, choice);
-  plan.unit_files = units_of(plan, options.units);
+  use_units(plan, options.units);
+  plan.unit_files = unit_files(plan.units, options.units);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");
   if (plan.tracer && plan.against)

@@ -4,30 +4,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sc/base/knobs.h"
-#include "sc/base/unit_choices.h"
 #include "tb/golden/golden_picture.h"
 #include "tb/judge/reference_frames.h"
 #include "tb/report/manifest.h"
-#include "tb/show/show.h"
+#include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
 
 /// The command line as it was written. An empty path: not asked for.
-struct RenderOptions : TtOptions {
-  std::string scene;
-  std::string level;  ///< empty: signal with units, else tlm
+struct RenderOptions : RunOptions, TtOptions {
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
-  std::vector<std::string> assignments;  ///< knob=value
-  std::vector<std::string> units;        ///< unit=implementation
   std::string folder, gif, wav, sheet, stats;
   std::string vcd;                    ///< waveform
   std::vector<std::string> overlays;  ///< names of maps
@@ -57,15 +50,10 @@ struct OutputPlan {
 };
 
 /// The chip of this project, or a golden tracer, and a show.
-struct RenderPlan : OutputPlan {
-  std::string scene;  ///< as it was named
-  Show show;
-  std::string level;
-  knobs k;
-  std::optional<GoldenTracer> tracer;  ///< renders instead of the chip
-  bool compare;                        ///< the chip with the golden tracers
-  unit_choices units;
-  std::map<std::string, ManifestUnit> unit_files{};  ///< what they are made of
+struct RenderPlan : Run, OutputPlan {
+  std::optional<GoldenTracer> tracer;                ///< renders instead of the chip
+  bool compare;                                      ///< the chip with the golden tracers
+  std::map<std::string, ManifestUnit> unit_files{};  ///< what the units are made of
 
   /// Number of the `index`-th frame; the show loops.
   int frame(int index) const;

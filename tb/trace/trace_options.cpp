@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "tb/base/nearest.h"
-#include "tb/show/level.h"
 #include "tb/trace/trigger.h"
 #include "tb/wave/draw_waveform.h"
 #include "tb/wave/wave_file.h"
@@ -60,14 +59,7 @@ void TraceOptions::check_files() const {
 }
 
 void TraceOptions::check_level() const {
-  if (level != LevelSignal && !transactions())
-    throw unknown_name("level", level, {LevelTlm, LevelSignal});
-  if (!transactions()) return;
-  if (!units.empty())
-    throw UsageError(
-        "--use puts RTL between the wires of --level signal; tlm has none: leave out --level tlm, "
-        "or --use");
-  if (watches() || !picture.empty())
+  if (transactions() && (watches() || !picture.empty()))
     throw UsageError(
         "--when, --record, mismatches and --picture look at the wires of --level signal; leave out "
         "--level tlm, or them");

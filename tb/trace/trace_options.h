@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/base/errors.h"
+#include "tb/show/run.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
 #include "tb/tt/tt_options.h"
@@ -16,10 +17,11 @@
 namespace racebeam {
 
 /// The command line as it was written.
-struct TraceOptions : TtOptions {
-  std::string scene;  ///< or a waveform to draw
+/// `scene` may also be a waveform to draw; level tlm: transactions.
+struct TraceOptions : RunOptions, TtOptions {
+  TraceOptions() { level = LevelSignal; }
+
   std::string output, from, to;
-  std::string level = "signal";        ///< or "tlm": transactions
   std::string picture;                 ///< SVG
   std::string around;                  ///< a trigger, or empty
   std::string when;                    ///< a condition, or empty
@@ -28,7 +30,6 @@ struct TraceOptions : TtOptions {
   long long record = 0;                ///< lines that a flight recorder keeps; 0: none
   std::vector<std::string> scopes;     ///< patterns of paths
   long long depth = 0;
-  std::vector<std::string> assignments, units;
   std::vector<std::string> diff;  ///< two files to compare instead of a scene
   bool shared = false;            ///< --diff: compare what both have
 

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/show/run.h"
+
+#include "tb/base/errors.h"
+#include "tb/base/nearest.h"
+#include "tb/show/open_show.h"
+#include "tb/show/set_knob.h"
+#include "tb/twin/use_option.h"
+
+namespace racebeam {
+
+namespace {
+
+// RTL has pins: it needs a chip that is wired.
+std::string level_of(const RunOptions& options, bool wired) {
+  const std::string& level = options.level;
+  if (level.empty()) return wired || !options.units.empty() ? LevelSignal : LevelTlm;
+  if (level != LevelTlm && level != LevelSignal)
+    throw unknown_name("level", level, {LevelTlm, LevelSignal});
+  if (level == LevelTlm && !options.units.empty())
+    throw UsageError(
+        "--use puts RTL between the wires of --level signal; tlm has none: leave out --level tlm, "
+        "or --use");
+  return level;
+}
+
+}  // namespace
+
+std::string RunOptions::set_text() const {
+  std::string text;
+  for (const std::string& assignment : assignments) text += " --set " + assignment;
+  return text;
+}
+
+knobs knobs_of(const Show& show, const std::vector<std::string>& assignments) {
+  knobs k = show.standard_knobs();
+  set_knobs(k, assignments);
+  if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
+  return k;
+}
+
+Run open_run(const RunOptions& options, bool wired) {
+  const std::string level = level_of(options, wired);
+  const Show show = open_show(options.scene);
+  return {show, level, knobs_of(show, options.assignments)};
+}
+
+void use_units(Run& run, const std::vector<std::string>& units, bool traced) {
+  const UseOption use(run.k, run.show.program(), traced);
+  for (const std::string& choice : units) use.use(run.units, choice);
+}
+
+}  // namespace racebeam
