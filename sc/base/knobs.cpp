@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/base/knobs.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "sc/base/constants.h"
+
 namespace racebeam {
 
 std::string knob_info::text(int value) const {
@@ -16,7 +21,7 @@ std::string knob_info::range() const {
 }
 
 const std::vector<knob_info>& knob_table() {
-  static const std::vector<knob_info> table = {
+  static const knob_info rows[] = {
       {"interval_stack_depth",
        &knobs::interval_stack_depth,
        1,
@@ -153,8 +158,43 @@ const std::vector<knob_info>& knob_table() {
        "",
        "input pins ui[2:0]: some pixels take one clock, sound changes pitch",
        "contract 5.6"},
+      {"navigator_bits",
+       &knobs::navigator_bits,
+       1,
+       NavigatorPortBits,
+       {},
+       "bits",
+       "width of each stored camera coordinate; as its path needs",
+       "docs/scenes.md",
+       true},
+      {"free_flight",
+       &knobs::free_flight,
+       0,
+       1,
+       {"off", "on"},
+       "",
+       "all bits of x, y and room are stored: for flights in any direction",
+       "docs/scenes.md",
+       true},
+      {"portals_per_face",
+       &knobs::portals_per_face,
+       1,
+       MaxPortals,
+       {},
+       "portals",
+       "most portals in one face of a room",
+       "docs/scenes.md",
+       true},
   };
+  static_assert(std::size(rows) * sizeof(int) == sizeof(knobs), "a knob has no row");
+  static const std::vector<knob_info> table(std::begin(rows), std::end(rows));
   return table;
+}
+
+bool operator==(const knobs& a, const knobs& b) {
+  const auto& rows = knob_table();
+  return std::all_of(rows.begin(), rows.end(),
+                     [&](const knob_info& row) { return a.*row.member == b.*row.member; });
 }
 
 }  // namespace racebeam

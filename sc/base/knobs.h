@@ -34,16 +34,20 @@ struct knobs {
   int skip_shared_edges = 0;
   int speed = 0;
 
-  // Not in the table: what a scene file asks for (scene_program.h). The defaults are the chip.
-  int navigator_bits = 9;    ///< width of each stored camera coordinate
-  bool free_flight = false;  ///< the navigator stores all bits, not only those of flights along z
-  int portals_per_face = 1;  ///< at most
+  // Only a scene file sets these (scene_program.h).
+  int navigator_bits = 9;
+  int free_flight = 0;
+  int portals_per_face = 1;
 
   /// Largest depth at which a room is entered: the face stack must hold one face per room.
   int room_depth_limit() const {
     return max_room_depth < face_stack_depth ? max_room_depth : face_stack_depth - 1;
   }
 };
+
+/// Whether all knobs are equal: every row of the table.
+bool operator==(const knobs& a, const knobs& b);
+inline bool operator!=(const knobs& a, const knobs& b) { return !(a == b); }
 
 /// One row of the knob table.
 struct knob_info {
@@ -54,6 +58,7 @@ struct knob_info {
   const char* unit;
   const char* meaning;
   const char* source;
+  bool of_scene = false;  ///< a scene file sets it, and nobody else
 
   /// "4", or the name of the value where values have names.
   std::string text(int value) const;
@@ -61,6 +66,7 @@ struct knob_info {
   std::string range() const;
 };
 
+/// All knobs: a member without a row does not compile. Those of scene files come last.
 const std::vector<knob_info>& knob_table();
 
 }  // namespace racebeam

@@ -49,22 +49,26 @@ struct shot_row {
   int colours = 0, pattern_colours = 0;  ///< ColoursBits wide
 };
 
-struct scene_program {
-  std::vector<room_row> rooms;
-  std::vector<shot_row> shots;  ///< by frame; the first at 0
-  int frames = 0;               ///< then it starts again
+/// The knobs that a scene file sets.
+struct program_knobs {
   int corner_bits = CornerBits;
   int navigator_bits = NavigatorPortBits;
   int portals_per_face = 1;  ///< the largest number in any face
 
-  /// `k` with the widths that the program asks for.
-  knobs fitted(knobs k) const {
+  /// `k` with these widths and free flight.
+  constexpr knobs fitted(knobs k) const {
     k.corner_bits = corner_bits;
     k.navigator_bits = navigator_bits;
     k.portals_per_face = portals_per_face;
-    k.free_flight = true;
+    k.free_flight = 1;
     return k;
   }
+};
+
+struct scene_program : program_knobs {
+  std::vector<room_row> rooms;
+  std::vector<shot_row> shots;  ///< by frame; the first at 0
+  int frames = 0;               ///< then it starts again
 };
 
 }  // namespace racebeam

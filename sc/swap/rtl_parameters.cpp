@@ -29,9 +29,6 @@ std::vector<rtl_parameter> rtl_parameters(const knobs& k) {
     all.push_back({parameter_name(knob), knob, value});
   };
   for (const auto& row : knob_table()) add(row.name, k.*row.member);
-  add("navigator_bits", k.navigator_bits);
-  add("free_flight", k.free_flight);
-  add("portals_per_face", k.portals_per_face);
   return all;
 }
 

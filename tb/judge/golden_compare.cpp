@@ -47,12 +47,6 @@ const std::vector<GoldenCause> AfterLimits = {
      "the chip is not its cores in a loop, or without its limits not trace_4: must be 0"},
 };
 
-bool same(const knobs& a, const knobs& b) {
-  for (const auto& row : knob_table())
-    if (a.*row.member != b.*row.member) return false;
-  return true;
-}
-
 GoldenPicture unlimited_corners(GoldenWorld world, const GoldenCamera& camera) {
   world.corner_bits = 0;
   return golden_picture(Tracer::Trace2, world, camera);
@@ -120,8 +114,7 @@ GoldenReport golden_compare(const Show& show, int frame, const knobs& k,
   for (const Limit& limit : Limits) {
     const knobs limited = lifted;
     limit.lift(lifted);
-    chain.push_back(same(limited, lifted) ? chain.back()
-                                          : core_picture(frame, lifted, show.program()));
+    chain.push_back(limited == lifted ? chain.back() : core_picture(frame, lifted, show.program()));
   }
   const int left = golden_difference(chain.back(), trace_4);
   chain.push_back(world.interlace ? trace_4 : chain.back());

@@ -20,34 +20,39 @@ namespace {
 constexpr const char* Row = "{:<23} {:<8} {:<16} {:<8} {:<68} {}\n";
 
 std::string table() {
-  std::string text = fmt::format(Row, "knob", "default", "range", "unit", "meaning", "source");
   const knobs defaults;
+  std::string of_user, of_scene;
   for (const knob_info& row : knob_table())
-    text += fmt::format(Row, row.name, row.text(defaults.*row.member), row.range(), row.unit,
-                        row.meaning, row.source);
-  return text;
+    (row.of_scene ? of_scene : of_user) +=
+        fmt::format(Row, row.name, row.text(defaults.*row.member), row.range(), row.unit,
+                    row.meaning, row.source);
+  return fmt::format(Row, "knob", "default", "range", "unit", "meaning", "source") + of_user +
+         "\nset by the scene file only:\n" + of_scene;
+}
+
+nlohmann::ordered_json json_of(const knob_info& row) {
+  nlohmann::ordered_json json = {{"name", row.name},
+                                 {"default", knob_json(row, knobs().*row.member)}};
+  if (row.names.empty()) {
+    json["min"] = row.min;
+    json["max"] = row.max;
+  } else {
+    json["values"] = row.names;
+  }
+  json["unit"] = row.unit;
+  json["meaning"] = row.meaning;
+  json["source"] = row.source;
+  return json;
 }
 
 std::string json_table() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  const knobs defaults;
-  for (const knob_info& row : knob_table()) {
-    nlohmann::ordered_json json = {{"name", row.name},
-                                   {"default", knob_json(row, defaults.*row.member)}};
-    if (row.names.empty()) {
-      json["min"] = row.min;
-      json["max"] = row.max;
-    } else {
-      json["values"] = row.names;
-    }
-    json["unit"] = row.unit;
-    json["meaning"] = row.meaning;
-    json["source"] = row.source;
-    rows.push_back(json);
-  }
-  return nlohmann::ordered_json{{"schema", "racebeam-knobs"}, {"version", 1}, {"knobs", rows}}.dump(
-             2) +
-         "\n";
+  nlohmann::ordered_json all = {{"schema", "racebeam-knobs"},
+                                {"version", 1},
+                                {"knobs", nlohmann::ordered_json::array()},
+                                {"scene_knobs", nlohmann::ordered_json::array()}};
+  for (const knob_info& row : knob_table())
+    all[row.of_scene ? "scene_knobs" : "knobs"].push_back(json_of(row));
+  return all.dump(2) + "\n";
 }
 
 }  // namespace

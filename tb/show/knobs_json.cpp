@@ -14,7 +14,8 @@ Json knob_json(const knob_info& row, int value) {
 
 Json knobs_json(const knobs& k) {
   Json json = Json::object();
-  for (const knob_info& row : knob_table()) json[row.name] = knob_json(row, k.*row.member);
+  for (const knob_info& row : knob_table())
+    if (!row.of_scene) json[row.name] = knob_json(row, k.*row.member);
   return json;
 }
 

@@ -11,7 +11,7 @@
 namespace racebeam {
 
 /// {"interval_stack_depth": 4, "bisection": "pow2", ...}: numbers, or names where values have
-/// names.
+/// names. Without those that the scene file sets: the scene has them.
 nlohmann::ordered_json knobs_json(const knobs& k);
 
 /// One value, as in knobs_json().

@@ -15,8 +15,11 @@ namespace {
 const knob_info& find_knob(const std::string& name) {
   std::vector<std::string> known;
   for (const auto& row : knob_table()) {
+    if (row.name == name && row.of_scene)
+      throw UsageError("knob " + name + " is not for --set: the scene file sets it (" +
+                       row.meaning + ")");
     if (row.name == name) return row;
-    known.push_back(row.name);
+    if (!row.of_scene) known.push_back(row.name);
   }
   throw unknown_name("knob", name, known);
 }

@@ -22,12 +22,10 @@ constexpr const char* Beside = "lockstep:";  ///< before a file
 
 /// Nothing but pins is set: racebeam_top has no parameters.
 bool is_taped_out(const knobs& k) {
-  const knobs chip;
-  for (const auto& row : knob_table())
-    if (row.member != &knobs::speed && row.member != &knobs::interlace &&
-        k.*row.member != chip.*row.member)
-      return false;
-  return true;
+  knobs chip;
+  chip.speed = k.speed;
+  chip.interlace = k.interlace;
+  return k == chip;
 }
 
 /// Says what the contract does not know and what may be computed wrongly.

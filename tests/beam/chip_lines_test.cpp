@@ -11,7 +11,9 @@
 #include <string>
 #include <tuple>
 
+#include "tb/scene/scene_reader.h"
 #include "tb/show/demo_parts.h"
+#include "tb/show/show.h"
 
 namespace racebeam {
 namespace {
@@ -21,8 +23,8 @@ using Row = std::array<std::uint8_t, VisibleColumns>;
 /// The chip in a loop beside the chip in lines.
 class Pair {
  public:
-  explicit Pair(const knobs& k, int frame = 0, chip_observer* observer = nullptr)
-      : knobs_(k), lines_({k, nullptr, false, false, observer}) {
+  explicit Pair(const knobs& k, int frame = 0, const scene_program* program = nullptr)
+      : knobs_(k), chip_(program), lines_({k, program, false, false, nullptr}) {
     chip_.clock_video(false, k);
     seek(frame);
   }
@@ -120,6 +122,42 @@ TEST(ChipLines, HaveTheRegistersOfTheCoresWithKnobsWhileThePatternIsShown) {
       ASSERT_NO_FATAL_FAILURE(Pair(k, 3900).expect_equal_lines(120));
     }
 }
+
+/// A row of the knob table.
+class EveryKnob : public testing::TestWithParam<knob_info> {
+ protected:
+  /// Both ends of the knob's range, on a chip that a tracer of fixed knobs stands for otherwise.
+  static void expect_cores_at_both_ends(const knobs& standard, int frame,
+                                        const scene_program* program, int max) {
+    for (const int value : {GetParam().min, max}) {
+      SCOPED_TRACE(value);
+      knobs k = standard;
+      k.*GetParam().member = value;
+      EXPECT_EQ(k == standard, value == standard.*GetParam().member);
+      ASSERT_NO_FATAL_FAILURE(Pair(k, frame, program).expect_equal_lines(Lines));
+    }
+  }
+  static constexpr int Lines = 160;  // 127 of them visible
+};
+
+// A tracer compiled for some knobs would overlook another one that it does not know.
+TEST_P(EveryKnob, IsHonouredByTheChipOfTheDemo) {
+  constexpr int CrowdedFrame = 7223;
+  int max = GetParam().max;
+  if (GetParam().member == &knobs::corner_bits) max = CornerBits;
+  if (GetParam().member == &knobs::portals_per_face) max = 1;  // as its rooms are
+  expect_cores_at_both_ends({}, CrowdedFrame, nullptr, max);
+}
+
+TEST_P(EveryKnob, IsHonouredByTheChipOfASceneFile) {
+  const Show show(read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/spiral.toml").scene, "");
+  ASSERT_GT(show.program()->portals_per_face, 1);
+  expect_cores_at_both_ends(show.standard_knobs(), show.frames() / 3, show.program(),
+                            GetParam().max);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, EveryKnob, testing::ValuesIn(knob_table()),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(ChipLines, RunOnOverTheEndsOfFrames) {
   Pair pair({}, 2303);

@@ -217,6 +217,14 @@ TEST_F(CliTest, KnobsOutOfRangeAreRefusedWithTheRange) {
   expect_refused(set("interlace"), {"'interlace'", "knob=value"});
 }
 
+TEST_F(CliTest, KnobsOfTheSceneFileAreRefusedAsSuch) {
+  for (const knob_info& row : knob_table())
+    if (row.of_scene)
+      expect_refused({"render", "demo", "--set", std::string(row.name) + "=1"},
+                     {row.name, "the scene file sets it"});
+  expect_refused({"render", "demo", "--set", "navigator_bit=9"}, {"unknown knob 'navigator_bit'"});
+}
+
 TEST_F(CliTest, SoundNeedsConsecutiveFramesAtTheChipsClock) {
   expect_refused({"render", "demo", "--wav", "a.wav", "--every", "2"}, {"--wav", "--every"});
   expect_refused({"render", "demo", "--wav", "a.wav", "--set", "clocks_per_pixel=4"},
@@ -240,13 +248,16 @@ TEST_F(CliTest, KnobsListsTheWholeTable) {
   EXPECT_EQ(table.wait(), 0);
   Program json(folder.path(), {"knobs", "--json"});
   EXPECT_EQ(json.wait(), 0);
-  const auto rows = json.json().at("knobs");
+  auto rows = json.json().at("knobs");
+  const std::size_t settable = rows.size();
+  for (const auto& row : json.json().at("scene_knobs")) rows.push_back(row);
   ASSERT_EQ(rows.size(), knob_table().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const knob_info& row = knob_table()[i];
     for (const std::string& text : {std::string(row.name), row.range(), std::string(row.meaning)})
       EXPECT_THAT(table.out(), HasSubstr(text));
     EXPECT_EQ(rows[i].at("name"), row.name);
+    EXPECT_EQ(row.of_scene, i >= settable) << row.name;
     EXPECT_EQ(rows[i].count("values"), row.names.empty() ? 0 : 1);
   }
   EXPECT_EQ(rows[0].at("default"), 4);

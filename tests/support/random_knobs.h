@@ -17,6 +17,7 @@ inline knobs random_knobs(int seed) {
   const auto below = [&](int count) { return static_cast<int>(random() % count); };
   knobs k;
   for (const knob_info& row : knob_table()) {
+    if (row.of_scene) continue;
     const int max = row.member == &knobs::corner_bits ? CornerBits : row.max;
     if (below(3) == 0) k.*row.member = below(3) == 0 ? row.min : row.min + below(max - row.min + 1);
   }

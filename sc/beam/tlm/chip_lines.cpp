@@ -6,23 +6,12 @@
 
 namespace racebeam {
 
-namespace {
-
-bool same_knobs(const knobs& a, const knobs& b) {
-  bool same = a.navigator_bits == b.navigator_bits && a.free_flight == b.free_flight &&
-              a.portals_per_face == b.portals_per_face;
-  for (const knob_info& row : knob_table()) same &= a.*row.member == b.*row.member;
-  return same;
-}
-
-}  // namespace
-
 chip_lines::chip_lines(const options& o)
     : options_(o),
       knobs_(o.k),
       raster_(o.k),
-      standard_(same_knobs(o.k, chip_knobs::of(o.k))),
-      scene_standard_(same_knobs(o.k, scene_knobs::of(o.k))),
+      standard_(chip_knobs::of(o.k) == o.k),
+      scene_standard_(scene_knobs::of(o.k) == o.k),
       chip_(o.program) {
   reset();
 }

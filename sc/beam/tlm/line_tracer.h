@@ -6,8 +6,9 @@
 // all of them clocks that are known to change nothing or to repeat: waiting for a full FIFO, dr2
 // following the beam in the lock effect, and whole rounds of the tracer after line_done.
 //
-// `Knobs` says which knobs are known when this is compiled: their arithmetic folds. With `Pattern`
-// the lock effect may hold; with `Watch` there is an observer.
+// `Knobs` says which knobs are known when this is compiled: their arithmetic folds. It stands for a
+// chip only where Knobs::of(k) == k: a knob that it does not take from `k` is the taped-out chip's.
+// With `Pattern` the lock effect may hold; with `Watch` there is an observer.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -16,6 +17,7 @@
 #include <type_traits>
 
 #include "sc/beam/chip_core.h"
+#include "sc/beam/scene_program.h"
 #include "sc/beam/tlm/line_beam.h"
 #include "sc/beam/tlm/line_setting.h"
 
@@ -25,15 +27,10 @@ namespace racebeam {
 struct chip_knobs {
   static constexpr knobs of(const knobs&) { return {}; }
 };
-/// The taped-out chip with the widths that a scene file asks for.
+/// The taped-out chip with what a scene file sets.
 struct scene_knobs {
   static constexpr knobs of(const knobs& k) {
-    knobs chip;
-    chip.corner_bits = k.corner_bits;
-    chip.navigator_bits = k.navigator_bits;
-    chip.portals_per_face = k.portals_per_face;
-    chip.free_flight = true;
-    return chip;
+    return program_knobs{k.corner_bits, k.navigator_bits, k.portals_per_face}.fitted({});
   }
 };
 /// Any.
