@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "sc/beam/chip_core.h"
+#include "sc/beam/knob_parameters.h"
 #include "sc/swap/rtl_twin.h"
 
 namespace racebeam {
@@ -17,7 +18,7 @@ std::unique_ptr<typename Unit::pins> make(const unit_choices& choices, const cha
                                           const knobs& k, const More&... more) {
   const unit_choice& choice = choices.of(Unit::unit_name);
   if (choice.driver == unit_choice::Rtl)
-    return std::make_unique<rtl_twin<Unit>>(name, k, choice.plugin);
+    return std::make_unique<rtl_twin<Unit>>(name, knob_parameters(k), choice.plugin);
   if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const More&...>)
     return std::make_unique<Unit>(name, k, more...);
   else return std::make_unique<Unit>(name, more...);
@@ -28,7 +29,7 @@ std::unique_ptr<typename Unit::pins> make(const unit_choices& choices, const cha
 chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program,
            const unit_choices& choices)
     : sc_module(name),
-      u_vga_timing(make<vga_timing>(choices, "u_vga_timing", k)),
+      u_vga_timing(make<vga_timing>(choices, "u_vga_timing", k, k.clocks_per_pixel)),
       u_sequencer(program ? make<timeline>(choices, "u_sequencer", k, *program)
                           : make<sequencer>(choices, "u_sequencer", k)),
       u_camera_unit(make<camera_unit>(choices, "u_camera_unit", k)),

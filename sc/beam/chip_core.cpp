@@ -32,7 +32,7 @@ chip_core::chip_core(const scene_program* program)
 }
 
 chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
-  const auto t = vga_timing.comb({rst_n, k.speed}, k);
+  const auto t = vga_timing.comb({rst_n, k.speed}, k.clocks_per_pixel);
   const pwm_sound_core::inputs sound_in{rst_n, k.speed, t.x2, t.y, frame()};
   const bool pwm = pwm_sound.comb().pwm;
   const int uo = clock_video(rst_n, k, view);
@@ -43,7 +43,7 @@ chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
 int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   // 1 to 3: raster, FIFO flags, conductor.
   const vga_timing_core::inputs timing_in{rst_n, k.speed};
-  const auto t = vga_timing.comb(timing_in, k);
+  const auto t = vga_timing.comb(timing_in, k.clocks_per_pixel);
   const bool starving = interval_fifo.starving(k);
   const sequencer_core::inputs choose{rst_n, t.frame_end, camera_unit.run(), ray_stepper.dr2_q[1]};
   const auto s = program ? timeline.comb(choose, *program, k) : sequencer.comb(choose, k);
@@ -160,7 +160,7 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   interval_fifo.clock(fifo_in, k);
   if (program) timeline.clock(choose, *program);
   else sequencer.clock(choose);
-  vga_timing.clock(timing_in, k);
+  vga_timing.clock(timing_in, k.clocks_per_pixel);
   return uo;
 }
 

@@ -24,6 +24,12 @@ std::unique_ptr<sc_core::sc_module> make(const char* instance, const knobs& k,
   else return std::make_unique<Unit>(instance);
 }
 
+template <>
+std::unique_ptr<sc_core::sc_module> make<vga_timing>(const char* instance, const knobs& k,
+                                                     const scene_program*) {
+  return std::make_unique<vga_timing>(instance, k.clocks_per_pixel);
+}
+
 template <class Unit, class Slot = Unit>
 constexpr unit_row row(unit_row::use shows = unit_row::Always) {
   return {Unit::unit_name, Slot::unit_name, shows, make<Unit>};

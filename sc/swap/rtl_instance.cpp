@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "sc/swap/rtl_parameters.h"
-
 namespace racebeam {
 
 namespace {
@@ -16,14 +14,15 @@ constexpr const char* Clock = "clk_i";
 }  // namespace
 
 rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
-                           const std::vector<any_port*>& pins, const knobs& k)
+                           const std::vector<any_port*>& pins,
+                           const std::vector<rtl_parameter>& wanted)
     : library_(plugin) {
   if (unit != model().unit)
     throw RtlError(plugin + " holds the unit " + model().unit + ", not " + unit);
-  std::vector<rtl_pin> wanted;
+  std::vector<rtl_pin> ports;
   for (const any_port* pin : pins)
-    wanted.push_back({pin->port_name(), pin->is_input(), pin->bits()});
-  const std::string faults = port_faults(model(), wanted);
+    ports.push_back({pin->port_name(), pin->is_input(), pin->bits()});
+  const std::string faults = port_faults(model(), ports);
   if (!faults.empty())
     throw RtlError(rtl_place(model()) + ": this does not fit the unit " + unit + "; " + unit +
                    ".h below sc/ has its ports:" + faults);
@@ -39,7 +38,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     alike.push_back({rtl.data, NoValue, pin});
   }
   std::string other;
-  for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), k))
+  for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), wanted))
     other += " " + parameter.name + "=" + std::to_string(parameter.value);
   if (!other.empty())
     throw RtlError(plugin + " was built with other parameters; build it with" + other);

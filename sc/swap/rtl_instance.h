@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "sc/base/knobs.h"
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/rtl_library.h"
+#include "sc/swap/rtl_parameters.h"
 
 namespace racebeam {
 
@@ -19,9 +19,10 @@ namespace racebeam {
 class rtl_instance {
  public:
   /// Loads a plug-in and joins its ports to those of `pins` by name. Throws RtlError: no such file,
-  /// no plug-in, another unit, missing, extra or wrongly sized ports, built for other knobs.
+  /// no plug-in, another unit, missing, extra or wrongly sized ports, built with other
+  /// parameters than `wanted`.
   rtl_instance(const std::string& plugin, const std::string& unit,
-               const std::vector<any_port*>& pins, const knobs& k);
+               const std::vector<any_port*>& pins, const std::vector<rtl_parameter>& wanted);
 
   /// Copies the inputs from the wires and lets combinational outputs follow.
   void settle();

@@ -1,32 +1,29 @@
-// The knobs as RTL knows them: parameters of a unit's module.
+// Parameters of a unit's RTL: what it was built with, and what a chip wants.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "sc/base/knobs.h"
 #include "sc/swap/rtl_library.h"
 
 namespace racebeam {
 
-/// One knob as a parameter.
+/// What a parameter shall be, in RTL that has it.
 struct rtl_parameter {
   std::string name;  ///< "IntervalStackDepth"
-  std::string knob;  ///< "interval_stack_depth"
-  int value;
+  std::int64_t value;
+  std::string what;  ///< it stands for: "the knob interval_stack_depth"
 };
 
-/// All of them, with what `k` sets.
-std::vector<rtl_parameter> rtl_parameters(const knobs& k);
-
-/// Those that RTL was built with, by name, and `k` wants otherwise.
-std::vector<rtl_parameter> other_parameters(const std::map<std::string, int>& built,
-                                            const knobs& k);
-/// The parameters of a plug-in.
-std::map<std::string, int> built_parameters(const rtl_model& model);
+/// Those that RTL was built with, by name, otherwise than `wanted`.
+std::vector<rtl_parameter> other_parameters(const std::map<std::string, std::int64_t>& built,
+                                            const std::vector<rtl_parameter>& wanted);
+/// The parameters of a plug-in; those that are texts as 0.
+std::map<std::string, std::int64_t> built_parameters(const rtl_model& model);
 
 }  // namespace racebeam

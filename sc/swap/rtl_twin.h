@@ -15,9 +15,10 @@ namespace racebeam {
 template <class Unit>
 class rtl_twin : public Unit::pins, public probed {
  public:
-  /// From a plug-in. Throws RtlError.
-  rtl_twin(const sc_core::sc_module_name& name, const knobs& k, const std::string& plugin)
-      : Unit::pins(name), rtl_(plugin, Unit::unit_name, ports_of(*this), k) {
+  /// From a plug-in, built with what is `wanted`. Throws RtlError.
+  rtl_twin(const sc_core::sc_module_name& name, const std::vector<rtl_parameter>& wanted,
+           const std::string& plugin)
+      : Unit::pins(name), rtl_(plugin, Unit::unit_name, ports_of(*this), wanted) {
     SC_HAS_PROCESS(rtl_twin);
     SC_METHOD(comb);
     for (any_port* port : ports_of(*this))

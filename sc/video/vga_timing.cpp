@@ -4,8 +4,8 @@
 
 namespace racebeam {
 
-vga_timing::vga_timing(const sc_core::sc_module_name& name, const knobs& k)
-    : vga_timing_pins(name), knobs_(k) {
+vga_timing::vga_timing(const sc_core::sc_module_name& name, int clocks_per_pixel)
+    : vga_timing_pins(name), clocks_per_pixel_(clocks_per_pixel) {
   SC_HAS_PROCESS(vga_timing);
   SC_METHOD(seq);
   sensitive << clk_i.pos();
@@ -15,12 +15,12 @@ vga_timing::vga_timing(const sc_core::sc_module_name& name, const knobs& k)
 }
 
 void vga_timing::seq() {
-  core_.clock({rst_ni.value() != 0, speed_i.value()}, knobs_);
+  core_.clock({rst_ni.value() != 0, speed_i.value()}, clocks_per_pixel_);
   comb();
 }
 
 void vga_timing::comb() {
-  const auto o = core_.comb({rst_ni.value() != 0, speed_i.value()}, knobs_);
+  const auto o = core_.comb({rst_ni.value() != 0, speed_i.value()}, clocks_per_pixel_);
   x2_o.drive(o.x2);
   y_o.drive(o.y);
   hsync_no.drive(o.hsync_n);

@@ -21,7 +21,6 @@
 #pragma once
 
 #include "sc/base/constants.h"
-#include "sc/base/knobs.h"
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 
@@ -48,10 +47,10 @@ struct vga_timing_core {
   };
 
   /// 1 in the last clock of a pixel.
-  bool h_en(int speed, const knobs& k) const {
+  bool h_en(int speed, int clocks_per_pixel) const {
     static constexpr int short_pixels[3] = {1 << 7 | 1 << 15, 1 << 5 | 1 << 9 | 1 << 11 | 1 << 13,
                                             1 << 6 | 1 << 8 | 1 << 10};
-    if (half_q >= k.clocks_per_pixel - 1) return true;
+    if (half_q >= clocks_per_pixel - 1) return true;
     for (int pin = 0; pin < 3; ++pin)
       if (bit_of(speed, pin) && bit_of(short_pixels[pin], h_pos_q & 15)) return true;
     return false;
@@ -62,8 +61,8 @@ struct vga_timing_core {
     return h_pos_q == last[h_region_q];
   }
 
-  outputs comb(const inputs& in, const knobs& k) const {
-    const bool en = h_en(in.speed, k);
+  outputs comb(const inputs& in, int clocks_per_pixel) const {
+    const bool en = h_en(in.speed, clocks_per_pixel);
     const bool h_step = en && h_last();
     outputs o;
     o.x2 = 2 * h_pos_q + en;
@@ -80,9 +79,9 @@ struct vga_timing_core {
     return o;
   }
 
-  void clock(const inputs& in, const knobs& k) {
+  void clock(const inputs& in, int clocks_per_pixel) {
     static constexpr int v_last[4] = {-241, 239, 249, LastLine};
-    const bool en = h_en(in.speed, k);
+    const bool en = h_en(in.speed, clocks_per_pixel);
     const bool h_step = en && h_last();
     const bool line_end = h_step && h_region_q == 3;
     if (h_step && h_region_q == 1) vs_q = v_region_q != 3;
@@ -104,12 +103,12 @@ struct vga_timing_core {
 
   /// Calls visit(name, bits, read) for each register, as the RTL has them.
   template <class Visit>
-  void each_register(Visit&& visit, const knobs& k) const {
+  void each_register(Visit&& visit, int clocks_per_pixel) const {
     visit("h_region_q", 2, [this] { return h_region_q; });
     visit("v_region_q", 2, [this] { return v_region_q; });
     visit("h_pos_q", 10, [this] { return h_pos_q; });
     visit("v_pos_q", 10, [this] { return v_pos_q; });
-    visit("half_q", k.clocks_per_pixel > 2 ? count_bits(k.clocks_per_pixel) : 1,
+    visit("half_q", clocks_per_pixel > 2 ? count_bits(clocks_per_pixel) : 1,
           [this] { return half_q; });
     visit("vs_q", 1, [this] { return vs_q; });
   }
@@ -147,14 +146,14 @@ class vga_timing : public vga_timing_pins, public probed {
   using pins = vga_timing_pins;
   static constexpr const char* unit_name = "vga_timing";
 
-  vga_timing(const sc_core::sc_module_name& name, const knobs& k);
-  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
+  vga_timing(const sc_core::sc_module_name& name, int clocks_per_pixel);
+  std::vector<probe> probes() const override { return registers_of(core_, clocks_per_pixel_); }
 
  private:
   void seq();
   void comb();
 
-  const knobs knobs_;
+  const int clocks_per_pixel_;
   vga_timing_core core_;
 };
 

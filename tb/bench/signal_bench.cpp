@@ -9,6 +9,7 @@
 
 #include "sc/beam/chip.h"
 #include "sc/beam/chip_core.h"
+#include "sc/beam/knob_parameters.h"
 #include "sc/beam/stats_collector.h"
 #include "sc/beam/units.h"
 #include "tb/base/errors.h"
@@ -130,14 +131,14 @@ void SignalBench::Platform::watch() {
       if (child->basename() == instance_of(unit)) {
         locksteps.push_back(std::make_unique<Lockstep>(("lockstep_" + unit).c_str(), unit,
                                                        dynamic_cast<sc_core::sc_module&>(*child),
-                                                       options.k, choice.plugin));
+                                                       knob_parameters(options.k), choice.plugin));
         locksteps.back()->clk_i(clk);
       }
   }
   const unit_choice& top = options.units.of(WholeChip);
   if (top.lockstep) {
-    locksteps.push_back(
-        std::make_unique<Lockstep>("lockstep_top", WholeChip, dut, options.k, top.plugin));
+    locksteps.push_back(std::make_unique<Lockstep>("lockstep_top", WholeChip, dut,
+                                                   knob_parameters(options.k), top.plugin));
     locksteps.back()->clk_i(clk);
     locksteps.back()->check_wiring(dut);
   }

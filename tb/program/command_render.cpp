@@ -23,6 +23,7 @@
 #include "tb/render/sound_track.h"
 #include "tb/report/stats_json.h"
 #include "tb/report/stats_table.h"
+#include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/lockstep_report.h"
 
@@ -75,8 +76,8 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
         plan.folder.empty()
             ? ""
             : save_chip_window(*unit->first(), {plan.show, raster, rendered}, plan.k, plan.folder);
-    tell_difference(explain(*unit->first(),
-                            {"in " + place_text(place, raster), repeat, closer, window, plan.k}));
+    tell_difference(explain(*unit->first(), {"in " + place_text(place, raster), repeat, closer,
+                                             window, knobs_text(plan.k)}));
   }
   return differs;
 }

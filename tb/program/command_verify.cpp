@@ -96,7 +96,7 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
       const DifferenceContext context{
           "in " + place_text(place, raster), repeat_text(options, unit->unit(), options.frames, 0),
           closer_text(options, unit->unit(), place.frame),
-          save_chip_window(*d, {show, raster, frames}, k, options.folder), k};
+          save_chip_window(*d, {show, raster, frames}, k, options.folder), knobs_text(k)};
       verdict.first =
           FirstDifference{d->port, d->clock, d->expected, d->got, place, explain(*d, context)};
     }

@@ -6,11 +6,14 @@
 #include <chrono>
 #include <memory>
 
+#include "sc/beam/knob_parameters.h"
 #include "sc/beam/pwm_sound.h"
 #include "sc/beam/sequencer.h"
 #include "sc/beam/units.h"
 #include "tb/base/interrupt.h"
+#include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
+#include "tb/twin/beam_twins.h"
 #include "tb/twin/random_traffic.h"
 #include "tb/twin/tune_walk.h"
 #include "tb/twin/unit_bench.h"
@@ -37,11 +40,11 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
   const auto model = unit_named(dut.unit).make("model", dut.k, dut.program);
-  Lockstep lockstep("lockstep", dut.unit, *model, dut.k, dut.plugin);
+  Lockstep lockstep("lockstep", dut.unit, *model, knob_parameters(dut.k), dut.plugin);
   lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);
   const auto start = std::chrono::steady_clock::now();
-  RandomTraffic traffic(bench, dut.k, seed);
+  RandomTraffic traffic(bench, beam_inputs(dut.k), seed);
   if (auto* counter = dynamic_cast<sequencer_pins*>(model.get()))
     traffic.at_episodes([&, counter](unsigned random) {
       const int frame = any_frame(dut, random);
@@ -75,7 +78,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
         d->got,
         {},
         explain(*d, {random ? "on random traffic" : "on the walk through its tune", repeat, "",
-                     save_unit_window(*d, verdict.traffic, dut.k, folder), dut.k})};
+                     save_unit_window(*d, verdict.traffic, dut.k, folder), knobs_text(dut.k)})};
   return verdict;
 }
 

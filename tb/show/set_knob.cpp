@@ -60,4 +60,13 @@ void set_knobs(knobs& k, const std::vector<std::string>& assignments) {
   k.max_room_depth = counts;
 }
 
+std::string knobs_text(const knobs& k) {
+  const knobs chip;
+  std::string text;
+  for (const auto& row : knob_table())
+    if (!row.of_scene && k.*row.member != chip.*row.member)
+      text += (text.empty() ? "" : ", ") + std::string(row.name) + "=" + row.text(k.*row.member);
+  return text.empty() ? "default" : text;
+}
+
 }  // namespace racebeam

@@ -12,7 +12,7 @@
 #include "tb/speed/own_process.h"
 #include "tb/tt/tt_chip.h"
 #include "tb/tt/tt_project.h"
-#include "tb/twin/plugin_maker.h"
+#include "tb/twin/beam_twins.h"
 #include "tb/verilate/project_folder.h"
 
 namespace racebeam {
@@ -128,7 +128,7 @@ void register_verilated(int repeats) {
 }
 
 std::vector<ChipMix> chip_mixes() {
-  const PluginMaker plugins({}, nullptr);
+  const PluginMaker plugins = beam_plugins({});
   std::vector<ChipMix> mixes = {{"all models", {}}};
   ChipMix all_rtl{"all RTL", {}}, all_lockstep{"all in lockstep", {}};
   for (const std::string& unit : chip_units(false)) {

@@ -8,8 +8,9 @@
 namespace racebeam {
 
 Lockstep::Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
-                   const sc_core::sc_module& model, const knobs& k, const std::string& plugin)
-    : sc_module(name), unit_(unit), rtl_(plugin, unit, ports_of(model), k) {
+                   const sc_core::sc_module& model, const std::vector<rtl_parameter>& wanted,
+                   const std::string& plugin)
+    : sc_module(name), unit_(unit), rtl_(plugin, unit, ports_of(model), wanted) {
   SC_HAS_PROCESS(Lockstep);
   SC_METHOD(clock);
   sensitive << clk_i.pos();

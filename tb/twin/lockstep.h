@@ -46,9 +46,11 @@ class Lockstep : public sc_core::sc_module, public probed {
  public:
   in_port<1> clk_i{"clk_i"};
 
-  /// Beside `model`, a module whose ports are the unit's pins. Throws RtlError.
+  /// Beside `model`, a module whose ports are the unit's pins; the plug-in is built with what is
+  /// `wanted`. Throws RtlError.
   Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
-           const sc_core::sc_module& model, const knobs& k, const std::string& plugin);
+           const sc_core::sc_module& model, const std::vector<rtl_parameter>& wanted,
+           const std::string& plugin);
 
   const std::string& unit() const { return unit_; }
   /// Name of an output.

@@ -34,15 +34,6 @@ std::string place_text(const BeamPlace& place, const Raster& raster) {
   return text;
 }
 
-std::string knobs_text(const knobs& k) {
-  const knobs chip;
-  std::string text;
-  for (const auto& row : knob_table())
-    if (k.*row.member != chip.*row.member)
-      text += fmt::format("{}{}={}", text.empty() ? "" : ", ", row.name, row.text(k.*row.member));
-  return text.empty() ? "default" : text;
-}
-
 std::string trace_command(const std::string& scene, int frame, const std::string& unit,
                           const std::string& rest) {
   return fmt::format("racebeam trace {} --from {}:{}{} --around mismatch -o {}_mismatch.vcd", scene,
@@ -58,7 +49,7 @@ std::string explain(const LockstepDifference& d, const DifferenceContext& contex
       "knobs: {}\n{}repeat: {}\n{}",
       d.unit, d.port, context.where, d.clock, d.expected, d.got,
       d.wiring.empty() ? "" : d.wiring + "\n", difference_hints(d), DifferenceMark,
-      difference_table(d), knobs_text(context.k),
+      difference_table(d), context.knobs,
       context.window.empty() ? "" : "waveform: " + context.window + "\n", context.repeat,
       context.closer.empty() ? "" : "all signals: " + context.closer + "\n");
 }

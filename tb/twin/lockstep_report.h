@@ -23,16 +23,13 @@ BeamPlace place_of(std::uint64_t clock, const std::vector<int>& frames, const Ra
 /// "frame 7, line -3, clock 400, pixel 40"; a pixel only where one is shown.
 std::string place_text(const BeamPlace& place, const Raster& raster);
 
-/// "default", or the knobs that are not.
-std::string knobs_text(const knobs& k);
-
 /// What goes with a difference.
 struct DifferenceContext {
   std::string where;   ///< "in frame 7, ...", or "of random traffic"
   std::string repeat;  ///< the command that shows it again
   std::string closer;  ///< the command that traces all signals around it; empty: none
   std::string window;  ///< file of the waveform; empty: none
-  knobs k;
+  std::string knobs;   ///< "default", or those that are not
 };
 
 /// A command that traces all signals around a difference in `frame`. `rest`: --use and --set as

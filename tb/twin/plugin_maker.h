@@ -1,48 +1,51 @@
-// PluginMaker: the RTL of units for one chip: a unit's own, or a user's, with the chip's knobs and
-// its scene's tables as parameters.
+// PluginMaker: the RTL of units for one chip: a unit's own, or a user's, with the parameters that
+// the chip wants.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "sc/base/knobs.h"
-#include "sc/beam/scene_program.h"
+#include "sc/swap/rtl_parameters.h"
 #include "tb/verilate/rtl_sources.h"
 
 namespace racebeam {
 
 class PluginMaker {
  public:
-  /// For chips with the knobs `k` that show `program`; nullptr: the built-in demo. `traced`:
-  /// signals inside the RTL can be read.
-  PluginMaker(const knobs& k, const scene_program* program, bool traced = false)
-      : knobs_(k), program_(program), traced_(traced) {}
-
-  /// The plug-in of a unit's own RTL, verilated if need be. Throws RtlError, MissingTool,
-  /// Interrupted.
-  std::string own(const std::string& unit) const;
-  /// The plug-in of a user's RTL: a .so as it is, files as read_source_list() takes them verilated
-  /// if need be. Tells which knobs do not reach it. Throws UsageError, and as own() does.
-  std::string users(const std::string& unit, const std::string& text) const;
-
- private:
-  /// What a parameter of the unit shall be.
+  /// What a parameter of a unit shall be.
   struct Setting {
     std::string name, value;  ///< value: as on Verilator's command line
     std::string what;         ///< "the knob fifo_entries", "the scene's table of rooms"
   };
-  std::vector<Setting> tables(const std::string& unit) const;
+  /// `wanted`: of every unit that has such parameters. `of_unit`: what else a unit is told, by its
+  /// name. `traced`: signals inside the RTL can be read.
+  explicit PluginMaker(std::vector<rtl_parameter> wanted,
+                       std::function<std::vector<Setting>(const std::string& unit)> of_unit = {},
+                       bool traced = false)
+      : wanted_(std::move(wanted)), of_unit_(std::move(of_unit)), traced_(traced) {}
+
+  /// The plug-in of a unit's own RTL, verilated if need be. `open`: as if traced. Throws RtlError,
+  /// MissingTool, Interrupted.
+  std::string own(const std::string& unit, bool open = false) const;
+  /// The plug-in of a user's RTL: a .so as it is, files as read_source_list() takes them verilated
+  /// if need be. Tells what does not reach it. Throws UsageError, and as own() does.
+  std::string users(const std::string& unit, const std::string& text, bool open = false) const;
+
+ private:
+  std::vector<Setting> settings_of_unit(const std::string& unit) const;
   /// Everything that the unit's own RTL is told.
   std::vector<Setting> settings(const std::string& unit) const;
   static void tell_missing(const std::string& text, const std::vector<Setting>& settings,
-                           const std::map<std::string, int>& known);
+                           const std::map<std::string, std::int64_t>& known);
 
-  knobs knobs_;
-  const scene_program* program_;
+  std::vector<rtl_parameter> wanted_;
+  std::function<std::vector<Setting>(const std::string& unit)> of_unit_;
   bool traced_;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/twin/random_traffic.h"
 
+#include <utility>
+
 #include "tb/base/reset_value.h"
 
 namespace racebeam {
@@ -13,8 +15,8 @@ constexpr int ResetPace[] = {8, 64, 1000, 0};
 
 }  // namespace
 
-RandomTraffic::RandomTraffic(UnitBench& bench, const knobs& k, unsigned seed)
-    : legal_(k), random_(seed) {
+RandomTraffic::RandomTraffic(UnitBench& bench, LegalInputs legal, unsigned seed)
+    : legal_(std::move(legal)), random_(seed) {
   for (UnitBench::Pin* pin : bench.pins()) {
     if (!pin->input) continue;
     inputs_.push_back({pin, reset_value(pin->name)});

@@ -20,9 +20,9 @@ namespace racebeam {
 
 class RandomTraffic {
  public:
-  /// For the inputs of the unit on `bench`, in the widths of a chip with the knobs `k`; the same
-  /// seed makes the same traffic.
-  RandomTraffic(UnitBench& bench, const knobs& k, unsigned seed);
+  /// For the inputs of the unit on `bench`, with values that are `legal`; the same seed makes the
+  /// same traffic.
+  RandomTraffic(UnitBench& bench, LegalInputs legal, unsigned seed);
 
   /// Calls `begin` with a random number when an episode begins, before its first values.
   void at_episodes(std::function<void(unsigned)> begin) { at_episodes_ = std::move(begin); }

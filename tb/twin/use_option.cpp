@@ -10,6 +10,7 @@
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
+#include "tb/twin/beam_twins.h"
 #include "tb/verilate/rtl_warnings.h"
 #include "tb/verilate/source_list.h"
 
@@ -41,7 +42,7 @@ std::string checked(const std::string& plugin) {
 UseOption::UseOption(const knobs& k, const scene_program* program, bool traced)
     : scene_file_(program != nullptr),
       wired_(!program && is_taped_out(k)),
-      plugins_(k, program, traced) {}
+      plugins_(beam_plugins(k, program, traced)) {}
 
 void UseOption::check_unit(const std::string& unit) const {
   std::vector<std::string> known = chip_units(scene_file_);
@@ -60,13 +61,14 @@ void UseOption::check_unit(const std::string& unit) const {
 
 unit_choice UseOption::choice_of(const std::string& unit, const std::string& text) const {
   if (text == "model") return {};
-  if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit)};
-  if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit)};
+  const bool open = unit == WholeChip;  // the check of its wiring looks at the units inside
+  if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit, open)};
+  if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit, open)};
   const bool beside = text.rfind(Beside, 0) == 0;
   const std::string file = beside ? text.substr(std::string(Beside).size()) : text;
   if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
     return {beside ? unit_choice::Model : unit_choice::Rtl, beside,
-            checked(plugins_.users(unit, file))};
+            checked(plugins_.users(unit, file, open))};
   throw unknown_name("implementation", text,
                      {"model", "rtl", "lockstep", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
                       "FILE.so", "lockstep:FILE.sv"});

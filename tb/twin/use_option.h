@@ -6,7 +6,9 @@
 
 #include <string>
 
+#include "sc/base/knobs.h"
 #include "sc/base/unit_choices.h"
+#include "sc/beam/scene_program.h"
 #include "tb/twin/plugin_maker.h"
 
 namespace racebeam {

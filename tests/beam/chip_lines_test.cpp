@@ -59,7 +59,7 @@ class Pair {
     Row row{};
     int column = 0;
     for (bool last = false; !last;) {
-      const auto t = chip_.vga_timing.comb({true, knobs_.speed}, knobs_);
+      const auto t = chip_.vga_timing.comb({true, knobs_.speed}, knobs_.clocks_per_pixel);
       const int uo = chip_.clock_video(true, knobs_);
       if (t.consume)
         row[column++] = static_cast<std::uint8_t>(pixel_output_core::colour_of_pins(uo));

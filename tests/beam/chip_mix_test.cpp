@@ -10,7 +10,7 @@
 #include "sc/beam/units.h"
 #include "tb/bench/core_bench.h"
 #include "tb/bench/signal_bench.h"
-#include "tb/twin/plugin_maker.h"
+#include "tb/twin/beam_twins.h"
 #include "tests/support/expect_stats.h"
 
 namespace racebeam {
@@ -27,7 +27,7 @@ void expect_the_chip(unsigned rtl_units, int frame) {
   for (int n = 0; n < Units; ++n)
     if (rtl_units >> n & 1) {
       choices.by_unit[chip_units(false)[n]] = {unit_choice::Rtl, false,
-                                               PluginMaker({}, nullptr).own(chip_units(false)[n])};
+                                               beam_plugins({}).own(chip_units(false)[n])};
       names += chip_units(false)[n] + " ";
     }
   SCOPED_TRACE("frame " + std::to_string(frame) + ", RTL: " + names);

@@ -113,7 +113,7 @@ TYPED_TEST(PwmSoundPins, SpeedShortensThePulse) {
 // The clocks of whole lines, as vga_timing counts them.
 TYPED_TEST(PwmSoundPins, LinesOfEverySpeedHoldTwoSamples) {
   constexpr int frame = 2200;
-  const knobs k;
+  const int clocks_per_pixel = knobs().clocks_per_pixel;
   vga_timing_core raster;
   this->bench["frame_i"].drive(frame);
   int clocks = 0, low = 0;  // since the last new sample
@@ -122,12 +122,12 @@ TYPED_TEST(PwmSoundPins, LinesOfEverySpeedHoldTwoSamples) {
     this->bench["speed_i"].drive(speed);
     vga_timing_core::outputs o;
     do {
-      o = raster.comb({true, speed}, k);
+      o = raster.comb({true, speed}, clocks_per_pixel);
       this->bench["y_i"].drive(o.y);
       low += !this->pin();
       ++clocks;
       this->clock(o.x2);
-      raster.clock({true, speed}, k);
+      raster.clock({true, speed}, clocks_per_pixel);
     } while (o.x2 != -192 && o.x2 != 608);
     if (n > 0) {
       ASSERT_EQ(low, std::min(-(this->sum >> 4), clocks)) << "speed " << speed << ", y " << o.y;

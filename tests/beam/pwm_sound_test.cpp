@@ -15,18 +15,18 @@ namespace {
 
 /// The core behind a raster, so that it sees the x2 of any speed.
 struct Bench {
-  const knobs k;
+  const int clocks_per_pixel = knobs().clocks_per_pixel;
   vga_timing_core raster;
   pwm_sound_core core;
   int frame = 0, speed = 0;
 
-  int x2() const { return raster.comb({true, speed}, k).x2; }
+  int x2() const { return raster.comb({true, speed}, clocks_per_pixel).x2; }
   /// One clock; returns the pin before it.
   bool clock() {
-    const auto o = raster.comb({true, speed}, k);
+    const auto o = raster.comb({true, speed}, clocks_per_pixel);
     const bool pin = core.comb().pwm;
     core.clock({true, speed, o.x2, o.y, frame});
-    raster.clock({true, speed}, k);
+    raster.clock({true, speed}, clocks_per_pixel);
     frame += o.frame_end;
     return pin;
   }
@@ -50,7 +50,7 @@ int reference_sum(int previous, int speed, int phase, int frame, int sample) {
 TEST(PwmSound, PulseOfMinus538IsLowFor538ClocksThenHighFor262) {
   Bench b;
   b.core.sum_q = (-538 * 16 + 7) & low_bits(SumBits);
-  while (b.x2() != -192) b.raster.clock({true, 0}, b.k);
+  while (b.x2() != -192) b.raster.clock({true, 0}, b.clocks_per_pixel);
   b.core.clock({true, 0, -192, 0, 0});
   for (int n = 0; n < 800; ++n) {
     ASSERT_EQ(b.core.comb().pwm, n >= 538) << "clock " << n;
@@ -185,7 +185,7 @@ TEST(PwmSound, PinFollowsTheCoreClockByClock) {
   int edges = 0;
   for (int n = 0; n < 4 * 1600; ++n) {
     const bool reset = n < 3 || n == 3000;
-    const auto o = b.raster.comb({!reset, 0}, b.k);
+    const auto o = b.raster.comb({!reset, 0}, b.clocks_per_pixel);
     rst_n.write(!reset);
     x2.write(o.x2 & low_bits(11));
     y.write(o.y & low_bits(10));
@@ -198,7 +198,7 @@ TEST(PwmSound, PinFollowsTheCoreClockByClock) {
     const bool before = b.core.comb().pwm;
     b.core.clock({!reset, 0, o.x2, o.y, b.frame});
     edges += before != b.core.comb().pwm;
-    b.raster.clock({!reset, 0}, b.k);
+    b.raster.clock({!reset, 0}, b.clocks_per_pixel);
     ASSERT_EQ(pwm.read(), b.core.comb().pwm) << "clock " << n;
     ASSERT_EQ(unit.core().sum_q, b.core.sum_q) << "clock " << n;
   }

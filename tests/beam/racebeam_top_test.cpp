@@ -72,7 +72,7 @@ TEST(RacebeamTop, PinsAreTheChipsAtFullSpeedWithoutInterlace) {
 TEST(TinyTapeoutTop, PinsAreTheChips) {
   knobs k;
   k.speed = 5;
-  rtl_library tile(PluginMaker(k, nullptr).own("tt_um_racebeam"));
+  rtl_library tile(beam_plugins(k).own("tt_um_racebeam"));
   const auto pin = [&](const char* name) -> std::uint8_t& {
     return *static_cast<std::uint8_t*>(rtl_port_of(tile.model(), name).data);
   };

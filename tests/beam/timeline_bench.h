@@ -10,6 +10,7 @@
 #include <fstream>
 #include <utility>
 
+#include "sc/beam/knob_parameters.h"
 #include "sc/beam/timeline.h"
 #include "sc/swap/rtl_twin.h"
 #include "tb/scene/program_tables.h"
@@ -163,7 +164,7 @@ class TableFolder {
 class rtl_timeline : private TableFolder, public rtl_twin<timeline> {
  public:
   rtl_timeline(const sc_core::sc_module_name& name, const knobs& k, const scene_program& program)
-      : TableFolder(program), rtl_twin(name, k, plugin(k)) {}
+      : TableFolder(program), rtl_twin(name, knob_parameters(k), plugin(k)) {}
 
  private:
   static std::string plugin(const knobs& k) {

@@ -201,7 +201,7 @@ TEST(LineRaster, IsVgaTimingClockByClock) {
           ASSERT_EQ(at.half_q, timing.half_q);
           ASSERT_EQ(at.v_pos_q, timing.v_pos_q);
           ASSERT_EQ(at.vs_q, timing.vs_q) << "line " << line << " clock " << clock;
-          const auto out = timing.comb({true, speed}, k);
+          const auto out = timing.comb({true, speed}, clocks_per_pixel);
           ASSERT_EQ(raster.x2[clock], out.x2);
           ASSERT_EQ(raster.columns_before[clock], columns);
           if (out.consume) {
@@ -209,7 +209,7 @@ TEST(LineRaster, IsVgaTimingClockByClock) {
           }
           ASSERT_EQ(out.line_end, clock + 1 == raster.size());
           ASSERT_EQ(out.h_active, clock >= raster.active_begin);
-          timing.clock({true, speed}, k);
+          timing.clock({true, speed}, clocks_per_pixel);
         }
       }
     }

@@ -52,7 +52,7 @@ class TracedChip {
   void look() {
     next_ = now_;
     pins_ = next_.clock(true, knobs_, &view_);
-    timing_ = now_.vga_timing.comb({true, knobs_.speed}, knobs_);
+    timing_ = now_.vga_timing.comb({true, knobs_.speed}, knobs_.clocks_per_pixel);
     const sequencer_inputs in{true, timing_.frame_end, view_.run, now_.ray_stepper.dr2_q[1]};
     choice_ = now_.program ? now_.timeline.comb(in, *now_.program, knobs_)
                            : now_.sequencer.comb(in, knobs_);
@@ -69,7 +69,7 @@ class TracedChip {
         all.push_back(one);
       }
     };
-    add("vga_timing", registers_of(now_.vga_timing, knobs_));
+    add("vga_timing", registers_of(now_.vga_timing, knobs_.clocks_per_pixel));
     add("sequencer", now_.program ? registers_of(now_.timeline, *now_.program)
                                   : registers_of(now_.sequencer, knobs_));
     add("camera_unit", registers_of(now_.camera_unit, knobs_));

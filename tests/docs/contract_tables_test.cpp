@@ -56,8 +56,8 @@ TEST(ContractTables, ClocksOfAFrame) {
     vga_timing_core raster;
     int clocks = 0;
     for (bool end = false; !end; ++clocks) {
-      end = raster.comb({true, k.speed}, k).frame_end;
-      raster.clock({true, k.speed}, k);
+      end = raster.comb({true, k.speed}, k.clocks_per_pixel).frame_end;
+      raster.clock({true, k.speed}, k.clocks_per_pixel);
     }
     EXPECT_EQ(clocks, std::stoi(row[1])) << "speed " << k.speed;
   }
@@ -67,7 +67,7 @@ TEST(ContractTables, ClocksOfALine) {
   Chip chip(2);
   for (const auto& row : rows("## 6. ", 1)) {
     chip.go_to(FirstLine, std::stoi(row[0]));
-    const auto t = chip.vga_timing.comb({true, 0}, chip.k);
+    const auto t = chip.vga_timing.comb({true, 0}, chip.k.clocks_per_pixel);
     EXPECT_EQ(chip.vga_timing.h_pos_q, std::stoi(row[1])) << row[0];
     EXPECT_EQ(chip.vga_timing.half_q, std::stoi(row[2])) << row[0];
     EXPECT_EQ(t.x2, std::stoi(row[3])) << row[0];

@@ -30,9 +30,9 @@ class SyncSource : public sc_core::sc_module {
 
  private:
   void seq() {
-    const knobs k;
-    if (++clock_ > 0) raster_.clock({true, 0}, k);
-    const auto o = raster_.comb({true, 0}, k);
+    constexpr int clocks_per_pixel = 2;
+    if (++clock_ > 0) raster_.clock({true, 0}, clocks_per_pixel);
+    const auto o = raster_.comb({true, 0}, clocks_per_pixel);
     uo_o.drive((o.hsync_n || clock_ >= stuck_from_) << 7 | o.vsync_n << 3);
   }
 

@@ -9,11 +9,12 @@
 #include <random>
 
 #include "sc/base/unit_choices.h"
+#include "sc/beam/knob_parameters.h"
 #include "sc/beam/stacks.h"
 #include "sc/beam/units.h"
 #include "tb/scene/scene_compiler.h"
 #include "tb/scene/scene_reader.h"
-#include "tb/twin/plugin_maker.h"
+#include "tb/twin/beam_twins.h"
 #include "tb/twin/random_traffic.h"
 #include "tb/twin/unit_bench.h"
 
@@ -28,9 +29,10 @@ class LockstepTest : public testing::Test {
   }
 
   stacks model{"model", knobs{}};
-  Lockstep lockstep{"lockstep", "stacks", model, knobs{}, PluginMaker({}, nullptr).own("stacks")};
+  Lockstep lockstep{"lockstep", "stacks", model, knob_parameters({}),
+                    beam_plugins({}).own("stacks")};
   UnitBench bench{model, &lockstep.clk_i};
-  RandomTraffic traffic{bench, {}, 7};
+  RandomTraffic traffic{bench, beam_inputs({}), 7};
 };
 
 TEST_F(LockstepTest, ModelAndRtlOfStacksAgreeOnRandomTraffic) {
@@ -66,10 +68,10 @@ TEST_P(EveryUnit, TellsEveryInvertedOutputBitAndItsClock) {
   const bool of_scene_files = unit_named(GetParam()).shows == unit_row::SceneFile;
   const knobs k = of_scene_files ? program.fitted({}) : knobs{};
   const auto model = unit_named(GetParam()).make("model", k, &program);
-  const PluginMaker maker(k, of_scene_files ? &program : nullptr);
-  Lockstep lockstep("lockstep", GetParam(), *model, k, maker.own(GetParam()));
+  const PluginMaker maker = beam_plugins(k, of_scene_files ? &program : nullptr);
+  Lockstep lockstep("lockstep", GetParam(), *model, knob_parameters(k), maker.own(GetParam()));
   UnitBench bench(*model, &lockstep.clk_i);
-  RandomTraffic traffic(bench, k, 5);
+  RandomTraffic traffic(bench, beam_inputs(k), 5);
   bench.between_edges([&] { traffic.next(); });
   bench.clock(Clocks);
   std::mt19937 random(3);

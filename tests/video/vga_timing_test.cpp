@@ -64,8 +64,8 @@ Levels expected(int y, const LineClock& c) {
 template <class Unit>
 class VgaTimingKnobTest : public testing::Test {
  protected:
-  void build(const knobs& k) {
-    unit.emplace("dut", k);
+  void build(int clocks_per_pixel) {
+    unit.emplace("dut", clocks_per_pixel);
     bench.emplace(*unit);
     for (int n = 0; n < Pins; ++n) pins[n] = &(*bench)[PinNames[n]];
     // The first clock with rst_ni = 1 is c = 0 of y = -273 (contract 5.3).
@@ -127,7 +127,7 @@ class VgaTimingKnobTest : public testing::Test {
 template <class Unit>
 class VgaTimingTest : public VgaTimingKnobTest<Unit> {
  protected:
-  VgaTimingTest() { this->build({}); }
+  VgaTimingTest() { this->build(2); }
 
   /// A whole frame and the start of the next, at one setting of the speed pins (contract 5.6).
   void check_speed(int pins, int frame_clocks) {
@@ -139,7 +139,18 @@ class VgaTimingTest : public VgaTimingKnobTest<Unit> {
   }
 };
 
-using Twins = testing::Types<vga_timing, own_rtl<vga_timing>>;
+struct rtl_vga_timing : own_rtl<vga_timing> {
+  rtl_vga_timing(const char* name, int clocks_per_pixel) : own_rtl(name, with(clocks_per_pixel)) {}
+
+ private:
+  static knobs with(int clocks_per_pixel) {
+    knobs k;
+    k.clocks_per_pixel = clocks_per_pixel;
+    return k;
+  }
+};
+
+using Twins = testing::Types<vga_timing, rtl_vga_timing>;
 TYPED_TEST_SUITE(VgaTimingTest, Twins);
 TYPED_TEST_SUITE(VgaTimingKnobTest, Twins);
 
@@ -266,26 +277,20 @@ TYPED_TEST(VgaTimingTest, ResetRestartsTheFrameButHoldsVsync) {
 // Knob clocks_per_pixel: a pixel takes that many clocks, a fast one still one. What x2 means is
 // promised for 2 only.
 TYPED_TEST(VgaTimingKnobTest, PixelsOfOneClock) {
-  knobs k;
-  k.clocks_per_pixel = 1;
-  this->build(k);
+  this->build(1);
   this->check_counts(420'000);
   this->check_lines(-273, 60, line_clocks(0, 1), false);
 }
 
 TYPED_TEST(VgaTimingKnobTest, PixelsOfThreeClocks) {
-  knobs k;
-  k.clocks_per_pixel = 3;
-  this->build(k);
+  this->build(3);
   this->check_counts(1'260'000);
   this->speed(7);
   this->check_lines(-273, 60, line_clocks(7, 3), false);
 }
 
 TYPED_TEST(VgaTimingKnobTest, PixelsOfEightClocks) {
-  knobs k;
-  k.clocks_per_pixel = 8;
-  this->build(k);
+  this->build(8);
   this->check_lines(-273, 60, line_clocks(0, 8), false);
 }
 

@@ -169,7 +169,7 @@ void chip_lines::count(const line_counts& c) {
 void chip_lines::show_pins(const vga_timing_core& begin, const line_setting& line) {
   const auto& look = line.choice[0];
   for (int clock = 0; clock + 1 < raster_.size(); ++clock) {
-    const auto t = raster_.at(clock, begin).comb({true, knobs_.speed}, knobs_);
+    const auto t = raster_.at(clock, begin).comb({true, knobs_.speed}, knobs_.clocks_per_pixel);
     pins_.push_back(static_cast<std::uint8_t>(pixel_output_core::uo({indices_[clock],
                                                                      false,
                                                                      look.inverse,

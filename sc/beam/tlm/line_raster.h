@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "sc/beam/knobs.h"
 #include "sc/beam/pwm_sound.h"
 #include "sc/video/vga_timing.h"
 
@@ -18,7 +19,7 @@ struct line_raster {
   explicit line_raster(const knobs& k) {
     vga_timing_core timing;
     for (bool last = false; !last;) {
-      const auto out = timing.comb({true, k.speed}, k);
+      const auto out = timing.comb({true, k.speed}, k.clocks_per_pixel);
       const int clock = static_cast<int>(clocks.size());
       clocks.push_back(timing);
       x2.push_back(out.x2);
@@ -28,7 +29,7 @@ struct line_raster {
       if (!out.hsync_n) vsync_clock = clock + 1;
       if (pwm_sound_core::is_busy(out.x2)) sound_clocks.push_back(clock);
       last = out.line_end;
-      timing.clock({true, k.speed}, k);
+      timing.clock({true, k.speed}, k.clocks_per_pixel);
     }
     columns_before.push_back(static_cast<int>(column_clock.size()));
   }

@@ -1,0 +1,17 @@
+// The knobs as RTL knows them: parameters of a unit's module.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "sc/base/knobs.h"
+#include "sc/swap/rtl_parameters.h"
+
+namespace racebeam {
+
+/// One for each knob: interval_stack_depth is IntervalStackDepth.
+std::vector<rtl_parameter> knob_parameters(const knobs& k);
+
+}  // namespace racebeam

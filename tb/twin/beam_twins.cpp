@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/twin/beam_twins.h"
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "sc/base/constants.h"
+#include "sc/base/fixed_point.h"
+#include "sc/beam/knob_parameters.h"
+#include "sc/swap/rtl_library.h"
+#include "tb/scene/program_tables.h"
+#include "tb/verilate/cache_folder.h"
+
+namespace racebeam {
+
+namespace {
+
+/// "file" that holds `text`, for $readmemh.
+std::string table_file(const std::string& text) {
+  const std::string file = cached(content_key({text}) + ".hex", [&](const std::string& fresh) {
+    std::ofstream out(fresh);
+    out << text;
+    out.close();
+    if (!out) throw RtlError("cannot write " + fresh + "; is the disk full?");
+  });
+  return "\"" + file + "\"";
+}
+
+std::vector<PluginMaker::Setting> tables(const std::string& unit, const scene_program* program) {
+  if (!program) return {};
+  const std::string what = "the scene's table of ";
+  if (unit == "timeline")
+    return {{"Shots", std::to_string(program->shots.size()), what + "shots"},
+            {"ShotFile", table_file(shot_table(*program)), what + "shots"}};
+  if (unit == "scene_rom")
+    return {{"Rooms", std::to_string(program->rooms.size()), what + "rooms"},
+            {"RoomFile", table_file(room_table(*program)), what + "rooms"}};
+  return {};
+}
+
+auto in_bits(int bits) {
+  return [bits](int raw) { return raw & low_bits(bits); };
+}
+auto in_signed_bits(int bits) {
+  return [bits](int raw) { return wrap_signed(raw, bits); };
+}
+auto below(int count) {
+  return [count](int raw) { return raw % count; };
+}
+
+}  // namespace
+
+PluginMaker beam_plugins(const knobs& k, const scene_program* program, bool traced) {
+  return PluginMaker(
+      knob_parameters(k), [program](const std::string& unit) { return tables(unit, program); },
+      traced);
+}
+
+LegalInputs beam_inputs(const knobs& k) {
+  const bool portals = k.portals_per_face > 1;
+  const int portal_bits = portals ? PortalBits : 0;
+  const int room_bits = portals || k.free_flight ? RoomPortBits : RoomBits;
+  const auto room = [room_bits](int raw) {
+    const int id = raw & low_bits(room_bits);
+    return id == low_bits(room_bits) ? SolidRoom : id;
+  };
+  return LegalInputs({
+      {"dr1", in_signed_bits(k.dr_bits)},
+      {"dr2", in_signed_bits(k.dr_bits)},
+      {"delta", in_signed_bits(k.dr_bits + 1)},
+      {"corner", in_signed_bits(k.corner_bits)},
+      {"position", in_signed_bits(k.corner_bits)},
+      {"half_size", in_bits(k.corner_bits - 2)},
+      {"nav_position", in_signed_bits(k.navigator_bits)},
+      {"start_room", in_bits(room_bits)},
+      {"start_", in_signed_bits(k.navigator_bits)},
+      {"room", room},
+      {"nav_room", below((1 << room_bits) - 1)},  // the last is none
+      {"neighbour", room},
+      {"tag", in_bits(TagBits + portal_bits)},
+      {"top_tag", in_bits(TagBits + portal_bits)},
+      {"fdata", in_bits(FaceBits + 2 * portal_bits)},
+      {"fread", in_bits(FaceBits + 2 * portal_bits)},
+      {"back", in_bits(portal_bits)},
+      {"nav_portal", in_bits(portal_bits)},
+      {"look_portal", in_bits(portal_bits)},
+      {"look_way", below(portals ? 3 : 1)},
+      {"sp_", below(k.interval_stack_depth)},
+      {"step_size", [](int raw) { return 1 << raw % PixelBits; }},
+      {"look_axis", below(3)},
+      {"nav_axis", below(3)},
+      {"hit_face", below(3)},
+      {"src", below(3)},
+      {"palette", below(TablePalette + 1)},
+      {"y_i", [](int raw) { return FirstLine + raw % FrameLines; }},
+  });
+}
+
+}  // namespace racebeam
