@@ -1,5 +1,5 @@
 // Widths and sizes that are fixed in the silicon (contract section 3). What an architect may change
-// is in knobs.h.
+// is in sc/beam/knobs.h.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -56,12 +56,7 @@ wire_contents contents_of(const wire_type<Bits>& value) {
 }
 
 /// All ports of a module, in the order of declaration.
-inline std::vector<any_port*> ports_of(const sc_core::sc_module& module) {
-  std::vector<any_port*> ports;
-  for (auto* child : module.get_child_objects())
-    if (auto* port = dynamic_cast<any_port*>(child)) ports.push_back(port);
-  return ports;
-}
+std::vector<any_port*> ports_of(const sc_core::sc_module& module);
 
 /// Input port of `Bits` bits.
 template <int Bits>

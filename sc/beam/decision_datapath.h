@@ -31,9 +31,9 @@
 #pragma once
 
 #include "sc/base/constants.h"
-#include "sc/base/knobs.h"
 #include "sc/base/unit.h"
 #include "sc/beam/decision_datapath_core.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

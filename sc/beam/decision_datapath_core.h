@@ -11,8 +11,8 @@
 
 #include "sc/base/constants.h"
 #include "sc/base/fixed_point.h"
-#include "sc/base/knobs.h"
 #include "sc/base/probe.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "sc/swap/rtl_parameters.h"
 
 namespace racebeam {

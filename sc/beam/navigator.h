@@ -24,10 +24,10 @@
 #pragma once
 
 #include "sc/base/constants.h"
-#include "sc/base/knobs.h"
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/beam/codes.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

@@ -12,7 +12,7 @@
 
 #include "sc/base/constants.h"
 #include "sc/base/fixed_point.h"
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

@@ -23,9 +23,9 @@
 #include <iterator>
 
 #include "sc/base/constants.h"
-#include "sc/base/knobs.h"
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

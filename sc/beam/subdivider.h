@@ -26,8 +26,8 @@
 #pragma once
 
 #include "sc/base/constants.h"
-#include "sc/base/knobs.h"
 #include "sc/base/unit.h"
+#include "sc/beam/knobs.h"
 #include "sc/beam/subdivider_core.h"
 
 namespace racebeam {

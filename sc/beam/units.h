@@ -9,7 +9,7 @@
 #include <systemc>
 #include <vector>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "sc/base/fixed_point.h"
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "tb/scene/camera_path.h"
 #include "tb/scene/scene_file.h"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/show/knobs_json.h"

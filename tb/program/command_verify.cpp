@@ -21,6 +21,7 @@
 #include "tb/program/verify_report.h"
 #include "tb/program/verify_unit.h"
 #include "tb/program/verify_watch.h"
+#include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/lockstep_report.h"
 #include "tb/twin/use_option.h"

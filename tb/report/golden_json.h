@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "tb/judge/golden_compare.h"
 #include "tb/monitor/vga_monitor.h"
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "sc/base/knobs.h"
 #include "sc/beam/frame_stats.h"
+#include "sc/beam/knobs.h"
 #include "tb/base/spread.h"
 #include "tb/judge/golden_compare.h"
 #include "tb/monitor/vga_monitor.h"

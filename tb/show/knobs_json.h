@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

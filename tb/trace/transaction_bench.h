@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "sc/beam/scene_program.h"
 #include "tb/trace/transaction_trace.h"
 

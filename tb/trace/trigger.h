@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "sc/beam/scene_program.h"
 #include "tb/trace/trace_window.h"
 

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "sc/base/knobs.h"
 #include "sc/base/unit_choices.h"
+#include "sc/beam/knobs.h"
 #include "sc/beam/scene_program.h"
 #include "tb/twin/plugin_maker.h"
 

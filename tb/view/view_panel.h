@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "tb/bench/frame_watch.h"
 #include "tb/picture/rgb_image.h"
 #include "tb/view/view_control.h"

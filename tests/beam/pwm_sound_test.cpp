@@ -8,6 +8,7 @@
 
 #include <set>
 
+#include "sc/beam/knobs.h"
 #include "sc/video/vga_timing.h"
 
 namespace racebeam {

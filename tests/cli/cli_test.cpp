@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "tb/program/command.h"
 #include "tests/cli/program.h"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/scene/scene_keys.h"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "sc/base/constants.h"
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 

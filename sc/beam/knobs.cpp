@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 
 #include <algorithm>
 #include <iterator>
