@@ -126,4 +126,27 @@ void write_text(const std::string& path, std::string_view text) {
   file.commit(text.size());
 }
 
+std::vector<std::string> make_folder(const std::string& folder) {
+  std::error_code error, ignored;
+  std::vector<std::string> made;
+  for (fs::path level = fs::absolute(folder).lexically_normal();
+       !level.empty() && !fs::exists(level, ignored); level = level.parent_path())
+    if (level.has_filename()) made.push_back(level.string());
+  fs::create_directories(folder, error);
+  if (error && !fs::is_directory(folder, ignored)) {
+    for (const std::string& level : made) fs::remove(level, ignored);
+    throw OutputError(folder, error.value(), "");
+  }
+  return made;
+}
+
+void try_folder(const std::string& folder) {
+  const std::vector<std::string> made = make_folder(folder);
+  const bool writable = access(folder.c_str(), W_OK) == 0;
+  const int error = errno;
+  std::error_code ignored;
+  for (const std::string& level : made) fs::remove(level, ignored);
+  if (!writable) throw OutputError(folder, error, "");
+}
+
 }  // namespace racebeam

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace racebeam {
 
@@ -71,5 +72,13 @@ class OutputFile {
 
 /// Writes a whole text file. Throws OutputError.
 void write_text(const std::string& path, std::string_view text);
+
+/// Makes a folder and those above it. Returns the new ones, innermost first; none is left if it
+/// throws OutputError.
+std::vector<std::string> make_folder(const std::string& folder);
+
+/// Whether files can be written to a folder, which may not be there yet. Leaves nothing. Throws
+/// OutputError.
+void try_folder(const std::string& folder);
 
 }  // namespace racebeam

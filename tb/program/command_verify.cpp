@@ -15,6 +15,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
 #include "tb/base/interrupt.h"
+#include "tb/base/output_file.h"
 #include "tb/base/progress.h"
 #include "tb/bench/signal_bench.h"
 #include "tb/program/common_options.h"
@@ -163,6 +164,7 @@ Run plan_verify(const VerifyOptions& options) {
   if (options.frames < 0 || options.frames > run.show.frames())
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
                                  run.show.frames()));
+  try_folder(options.folder);  // a difference may be found after an hour
   return run;
 }
 

@@ -23,7 +23,8 @@ struct VerifyOptions : RunOptions {
   bool json = false;
 };
 
-/// What is to be compared, but for the RTL. Throws UsageError.
+/// What is to be compared, but for the RTL. Throws UsageError; OutputError if the folder for
+/// waveforms cannot be written.
 Run plan_verify(const VerifyOptions& options);
 
 /// Prints a table of units. Returns ExitUsage if RTL has ended before its

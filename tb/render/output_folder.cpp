@@ -25,21 +25,6 @@ constexpr const char* ManifestName = "manifest.json";
 constexpr std::size_t Told = 4;  // differences in a message
 constexpr const char* Otherwise = "; name another folder with -o, or replace it: --overwrite";
 
-// Makes the folder and those above it; returns the new ones, innermost first.
-std::vector<fs::path> make_folder(const fs::path& folder) {
-  std::error_code error, ignored;
-  std::vector<fs::path> made;
-  for (fs::path level = fs::absolute(folder).lexically_normal();
-       !level.empty() && !fs::exists(level, ignored); level = level.parent_path())
-    if (level.has_filename()) made.push_back(level);
-  fs::create_directories(folder, error);
-  if (error && !fs::is_directory(folder, ignored)) {
-    for (const auto& level : made) fs::remove(level, ignored);
-    throw OutputError(folder.string(), error.value(), "");
-  }
-  return made;
-}
-
 }  // namespace
 
 OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool overwrite)
@@ -61,7 +46,7 @@ OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool o
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
   if (!started_)
-    for (const fs::path& level : made_) fs::remove(level, ignored);
+    for (const std::string& level : made_) fs::remove(level, ignored);
   if (lock_ >= 0) close(lock_);
 }
 

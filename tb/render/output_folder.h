@@ -49,8 +49,8 @@ class OutputFolder {
   const std::filesystem::path path_;
   const Manifest what_;
   const bool overwrite_;
-  std::vector<std::filesystem::path> made_;  // innermost first
-  std::string before_;                       // manifest of earlier runs that stays; or empty
+  std::vector<std::string> made_;  // innermost first
+  std::string before_;             // manifest of earlier runs that stays; or empty
   int lock_ = -1;
   bool started_ = false;
 };
