@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tb/base/output_file.h"
 #include "tb/picture/image_library.h"
-#include "tb/picture/png_file.h"
+#include "tb/picture/picture_format.h"
 
 namespace racebeam {
 namespace {
@@ -58,7 +59,8 @@ void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>&
     images.put_text(sheet.bytes(), sheet.width(), sheet.height(), frames[i].caption, left,
                     left + cell_width - Gap, top + height / downscale + Baseline);
   }
-  write_png(path, sheet);
+  const PictureFormat* const format = format_of_file(path);
+  write_text(path, picture_bytes(format ? *format : picture_formats().front(), sheet));
 }
 
 }  // namespace racebeam

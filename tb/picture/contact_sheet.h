@@ -16,10 +16,10 @@ struct SheetFrame {
   std::string caption;                ///< one short line
 };
 
-/// Writes all frames, each width x height pixels, in rows of `columns` as one PNG, shrunk by
-/// `downscale` in both axes (means of pixels), with their captions below if a font is found.
-/// Throws OutputError, MissingTool, and std::invalid_argument if the sizes disagree or there are no
-/// frames.
+/// Writes all frames, each width x height pixels, in rows of `columns` as one picture, of the
+/// format that the name ends with, or PNG; shrunk by `downscale` in both axes (means of pixels),
+/// with their captions below if a font is found. Throws OutputError, MissingTool, and
+/// std::invalid_argument if the sizes disagree or there are no frames.
 void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>& frames, int width,
                          int height, int columns, int downscale = 2);
 

@@ -12,6 +12,8 @@
 
 namespace racebeam {
 
+struct PictureFormat;
+
 struct ImageLibrary {
   const char* version;  ///< of OpenImageIO
 
@@ -19,6 +21,11 @@ struct ImageLibrary {
   /// `right`, on a baseline. Nothing if there is no font.
   void (*put_text)(std::uint8_t* rgb, int width, int height, const std::string& words, int left,
                    int right, int baseline);
+
+  /// Puts a picture of width * height pixels, three bytes each, into the bytes of a file. Returns
+  /// what is wrong, or nothing.
+  std::string (*encode)(const PictureFormat& format, const std::uint8_t* rgb, int width, int height,
+                        std::string& bytes);
 };
 
 /// Opens it at the first call. Throws MissingTool if it or OpenImageIO is not there.

@@ -152,9 +152,13 @@ void add_options(CLI::App& command, RenderOptions& options) {
       ->type_name("UNIT=IMPLEMENTATION")
       ->allow_extra_args(false);
   add_tt_options(command, options);
-  file("-o,--output", options.folder, "DIR",
+  file("-o,--output", options.folder, "DIR|FILE",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
-       "asked for");
+       "asked for; or one picture, whose name says the format: F.png, F.exr");
+  std::string formats = "Of the pictures in the folder";
+  for (const PictureFormat& format : picture_formats())
+    formats += fmt::format("; {}: {}", format.name, format.note);
+  file("--format", options.format, "FORMAT", formats.c_str());
   command.add_flag("--overwrite", options.overwrite,
                    "Replace the frames of another render that the folder has; without it only "
                    "frames of the same settings are added");
@@ -163,7 +167,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
        "a frame");
   number("--gif-scale", options.gif_scale, "1..8", "Shrink the GIF N times in both axes, 1..8");
   file("--wav", options.wav, "FILE", "Sound of consecutive frames");
-  file("--sheet", options.sheet, "FILE.png", "Contact sheet of up to 120 frames");
+  file("--sheet", options.sheet, "FILE",
+       "Contact sheet of up to 120 frames, FILE.png or another picture format");
   file("--stats", options.stats, "FILE.json", "Statistics");
   file(
       "--vcd", options.vcd, "FILE",

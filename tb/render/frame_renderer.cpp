@@ -7,7 +7,6 @@
 #include "tb/bench/signal_bench.h"
 #include "tb/bench/tlm_bench.h"
 #include "tb/monitor/raster.h"
-#include "tb/picture/png_file.h"
 #include "tb/show/level.h"
 #include "tb/view/map_picture.h"
 
@@ -26,13 +25,13 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
 
 PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
-  return {fmt::format("overlay_{}_{:04}.png", map_name(kind), frame.number),
-          png_bytes(map_picture(make_map(kind, frame.intervals, raster),
-                                fmt::format("{} frame {}", plan.show.name(), frame.number)))};
+  return picture_file(plan, std::string("overlay_") + map_name(kind), frame.number,
+                      map_picture(make_map(kind, frame.intervals, raster),
+                                  fmt::format("{} frame {}", plan.show.name(), frame.number)));
 }
 
 // With what the colours mean below.
-PictureFile difference_file(int frame, const GoldenPicture& difference) {
+PictureFile difference_file(const RenderPlan& plan, int frame, const GoldenPicture& difference) {
   constexpr int Height = 20, Square = 12, Left = 8, Words = 6, Column = 210;
   constexpr std::pair<int, const char*> meanings[] = {
       {60, "not as trace4"}, {15, "else not as trace2"}, {51, "else not as geometry"}};
@@ -43,7 +42,7 @@ PictureFile difference_file(int frame, const GoldenPicture& difference) {
     picture.text(left + Square + Words, VisibleRows + 3, words, {225, 225, 225});
     left += Column;
   }
-  return {fmt::format("difference_{:04}.png", frame), png_bytes(picture)};
+  return picture_file(plan, "difference", frame, picture);
 }
 
 }  // namespace
@@ -64,17 +63,15 @@ RenderedFrame FrameRenderer::render(int index) {
   bench_->seek(plan_.frame(index));
   const ChipBench::Frame frame = bench_->render();
   RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}};
-  const bool folder = !plan_.folder.empty();
-  if (folder) {
-    rendered.files.push_back(picture_file("frame", frame.number, frame.picture.colours));
-    for (const MapKind kind : plan_.overlays)
-      rendered.files.push_back(overlay_file(plan_, kind, frame));
-  }
+  if (plan_.pictures()) rendered.files.push_back(picture_file(plan_, frame.number, frame.picture));
+  for (const MapKind kind : plan_.overlays)
+    rendered.files.push_back(overlay_file(plan_, kind, frame));
   if (!plan_.compare) return rendered;
   const GoldenReport found =
       golden_compare(plan_.show, frame.number, plan_.k, frame.picture.colours);
   rendered.golden = found.counts;
-  if (folder) rendered.files.push_back(difference_file(frame.number, found.difference));
+  if (!plan_.folder.empty())
+    rendered.files.push_back(difference_file(plan_, frame.number, found.difference));
   return rendered;
 }
 

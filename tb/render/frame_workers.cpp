@@ -23,7 +23,7 @@ namespace racebeam {
 namespace {
 
 /// A record is its kind, its size and so many bytes.
-enum Kind : char { Frame, Sync, Rtl, Other };
+enum Kind : char { Frame, Sync, Rtl, Missing, Other };
 struct Header {
   Kind kind;
   std::uint64_t size;
@@ -94,6 +94,8 @@ void FrameWorkers::work(std::size_t number, int pipe,
     last = record(Sync, error.what());
   } catch (const RtlError& error) {
     last = record(Rtl, error.what());
+  } catch (const MissingTool& error) {
+    last = record(Missing, error.what());
   } catch (const std::exception& error) {
     last = record(Other, error.what());
   }
@@ -136,6 +138,7 @@ std::optional<RenderedFrame> FrameWorkers::next() {
     case Frame: return RenderedFrame::of_bytes(bytes);
     case Sync: throw SyncError(bytes);
     case Rtl: throw RtlError(bytes);
+    case Missing: throw MissingTool(bytes);
     default: throw std::runtime_error(bytes);
   }
 }

@@ -30,9 +30,9 @@ class FrameWorkers {
   FrameWorkers(const FrameWorkers&) = delete;
   FrameWorkers& operator=(const FrameWorkers&) = delete;
 
-  /// The next frame. Throws SyncError and RtlError as thrown in a process, std::runtime_error for
-  /// any other error there, and, or MissingTool, if a process died. Nothing, perhaps, once
-  /// interrupted().
+  /// The next frame. Throws SyncError, RtlError and MissingTool as thrown in a process,
+  /// std::runtime_error for any other error there, and, or MissingTool, if a process died. Nothing,
+  /// perhaps, once interrupted().
   std::optional<RenderedFrame> next();
 
  private:

@@ -14,6 +14,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/output_file.h"
 #include "tb/base/whole_file.h"
+#include "tb/picture/picture_format.h"
 
 namespace racebeam {
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* ManifestName = "manifest.json";
+constexpr const char* StatsName = "stats.json";
 constexpr std::size_t Told = 4;  // differences in a message
 constexpr const char* Otherwise = "; name another folder with -o, or replace it: --overwrite";
 
@@ -102,9 +104,9 @@ void OutputFolder::abandon() const {
 }
 
 bool OutputFolder::owns(const std::string& name) {
-  static const std::regex own(
-      R"(manifest\.json|stats\.json|(frame|difference|overlay_[a-z]+)_[0-9]+\.png)");
-  return std::regex_match(name, own);
+  static const std::regex picture(R"((frame|difference|overlay_[a-z]+)_[0-9]+\.[a-z]+)");
+  return name == ManifestName || name == StatsName ||
+         (std::regex_match(name, picture) && format_of_file(name));
 }
 
 }  // namespace racebeam

@@ -47,9 +47,9 @@ RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
   what_.frames_wanted = plan_.frames;
   if (!plan_.folder.empty()) {
     folder_ = std::make_unique<OutputFolder>(plan_.folder, what_, plan_.overwrite);
-    try_writing(folder_->file(fmt::format("frame_{:04}.png", plan_.first)));
+    try_writing(folder_->file(plan_.file_name("frame", plan_.first)));
   }
-  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
+  for (const std::string& path : {plan_.picture, plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
     try_writing(path);
   if (folder_) folder_->start();
 }
@@ -59,7 +59,7 @@ void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
   what_.frames.insert(frame.number);
   for (const PictureFile& file : frame.files) {
     what_.files.push_back(file.name);
-    write_text(folder_->file(file.name), file.bytes);
+    write_text(folder_ ? folder_->file(file.name) : file.name, file.bytes);
   }
   width_ = frame.picture.width;
   height_ = frame.picture.height;
@@ -74,9 +74,7 @@ void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
 
 void RenderFiles::add(int frame, const std::string& part, const VgaFrame& picture) {
   RenderedFrame rendered{frame, picture, {}, {}, {}};
-  if (!plan_.folder.empty())
-    rendered.files.push_back(
-        picture_file("frame", frame, picture.colours, picture.width, picture.height));
+  if (plan_.pictures()) rendered.files.push_back(picture_file(plan_, frame, picture));
   add(rendered, part);
 }
 
@@ -137,7 +135,7 @@ void RenderFiles::list_outputs() {
 std::string RenderFiles::summary() const {
   std::string text = counted(what_.frames_rendered, "frame");
   if (!plan_.folder.empty()) text += " in " + plan_.folder;
-  for (const std::string& path : {plan_.gif, plan_.wav, plan_.sheet, plan_.vcd})
+  for (const std::string& path : {plan_.picture, plan_.gif, plan_.wav, plan_.sheet, plan_.vcd})
     if (!path.empty() && what_.frames_rendered > 0) text += ", " + path;
   if (!plan_.stats.empty()) text += ", " + plan_.stats;
   return text;

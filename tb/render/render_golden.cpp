@@ -29,7 +29,7 @@ RenderedFrame render_frame(const RenderPlan& plan, int index) {
                                    plan.show.golden_camera(frame));
   picture.image_crc = static_cast<std::uint32_t>(
       crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));
-  if (!plan.folder.empty()) rendered.files.push_back(picture_file("frame", frame, picture.colours));
+  if (plan.pictures()) rendered.files.push_back(picture_file(plan, frame, picture));
   return rendered;
 }
 

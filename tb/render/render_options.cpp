@@ -14,6 +14,7 @@
 #include "tb/base/nearest.h"
 #include "tb/base/output_file.h"
 #include "tb/render/output_folder.h"
+#include "tb/render/picture_plan.h"
 #include "tb/render/unit_files.h"
 #include "tb/wave/wave_file.h"
 
@@ -23,7 +24,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* DefaultFolder = "racebeam_out";
 constexpr int MaxSheetFrames = 120;  // a sheet of 2500 x 8000 pixels
 constexpr int MaxGifScale = 8;
 constexpr int MaxJobs = 256;
@@ -89,7 +89,8 @@ void check_outputs(const OutputPlan& plan) {
                     MaxSheetFrames, plan.frames));
   check_extension("--gif", plan.gif, ".gif");
   check_extension("--wav", plan.wav, ".wav");
-  check_extension("--sheet", plan.sheet, ".png");
+  if (const std::string own = extension_of(plan.sheet); !own.empty() && !format_of_file(plan.sheet))
+    picture_format(own.substr(1));
   check_extension("--stats", plan.stats, ".json");
 }
 
@@ -141,7 +142,8 @@ void check_distinct(const OutputPlan& plan) {
     return fs::weakly_canonical(fs::absolute(path), ignored);
   };
   std::set<fs::path> seen;
-  for (const std::string& path : {plan.gif, plan.wav, plan.sheet, plan.stats, plan.vcd}) {
+  for (const std::string& path :
+       {plan.picture, plan.gif, plan.wav, plan.sheet, plan.stats, plan.vcd}) {
     if (path.empty() || fs::is_other(path)) continue;
     const fs::path file = real(path);
     if (!seen.insert(file).second)
@@ -187,7 +189,7 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
       checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
       checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
       checked("--jobs", options.jobs, 1, MaxJobs, "processes"),
-      options.folder,
+      {},
       options.gif,
       options.wav,
       options.sheet,
@@ -198,7 +200,6 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
   plan.vcd = options.vcd;
   plan.overwrite = options.overwrite;
   check_outputs(plan);
-  check_distinct(plan);
   plan.overlays = maps_of(options.overlays);
   if (!plan.overlays.empty() && (!options.project.empty() || tracer_of(options.golden)))
     throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
@@ -206,8 +207,8 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
     plan.against = std::make_shared<ReferenceFrames>(options.against);
     check_against(plan, frames);
   }
-  if ((!plan.writes() && !plan.against) || (plan.folder.empty() && !plan.overlays.empty()))
-    plan.folder = DefaultFolder;
+  plan_pictures(plan, options);
+  check_distinct(plan);
   return plan;
 }
 

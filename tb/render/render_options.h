@@ -11,6 +11,7 @@
 
 #include "tb/golden/golden_picture.h"
 #include "tb/judge/reference_frames.h"
+#include "tb/picture/picture_format.h"
 #include "tb/report/manifest.h"
 #include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
@@ -21,7 +22,9 @@ namespace racebeam {
 /// The command line as it was written. An empty path: not asked for.
 struct RenderOptions : RunOptions, TtOptions {
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
-  std::string folder, gif, wav, sheet, stats;
+  std::string folder;  ///< or one picture
+  std::string format;  ///< of the pictures; empty: PNG
+  std::string gif, wav, sheet, stats;
   std::string vcd;                    ///< waveform
   std::vector<std::string> overlays;  ///< names of maps
   std::string golden;                 ///< a golden tracer, "compare", or empty
@@ -42,10 +45,17 @@ struct OutputPlan {
   bool overwrite = false;                            ///< what the folder has of another render
   std::shared_ptr<const ReferenceFrames> against{};  ///< what the frames must equal, or nothing
 
+  std::string picture{};  ///< the only one, instead of a folder
+  const PictureFormat* format = &picture_formats().front();
+
+  /// Pictures are written.
+  bool pictures() const { return !(folder + picture).empty(); }
+  /// Of a picture in the folder: "frame_0000.png".
+  std::string file_name(const std::string& kind, int frame) const;
   /// Checksums are computed.
   bool checksums() const { return crc || against; }
   /// Some file is.
-  bool writes() const { return !(folder + gif + wav + sheet + stats + vcd).empty(); }
+  bool writes() const { return !(folder + picture + gif + wav + sheet + stats + vcd).empty(); }
   double frames_per_second = 60;  ///< of the chip
 };
 

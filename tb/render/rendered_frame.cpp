@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/render/rendered_frame.h"
 
-#include <fmt/format.h>
-
 #include "tb/base/byte_stream.h"
-#include "tb/picture/png_file.h"
 
 namespace racebeam {
 
@@ -30,9 +27,14 @@ void each_field(Frame& frame, const Field& field) {
 
 }  // namespace
 
-PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours,
-                         int width, int height) {
-  return {fmt::format("{}_{:04}.png", kind, frame), png_bytes(colours, width, height)};
+PictureFile picture_file(const OutputPlan& plan, int frame, const VgaFrame& picture) {
+  return {plan.picture.empty() ? plan.file_name("frame", frame) : plan.picture,
+          picture_bytes(*plan.format, picture.colours, picture.width, picture.height)};
+}
+
+PictureFile picture_file(const OutputPlan& plan, const std::string& kind, int frame,
+                         const RgbImage& picture) {
+  return {plan.file_name(kind, frame), picture_bytes(*plan.format, picture)};
 }
 
 std::string RenderedFrame::bytes() const {

@@ -11,10 +11,12 @@
 #include "sc/beam/frame_stats.h"
 #include "tb/judge/golden_compare.h"
 #include "tb/monitor/vga_monitor.h"
+#include "tb/picture/rgb_image.h"
+#include "tb/render/render_options.h"
 
 namespace racebeam {
 
-/// A picture for the folder: its name there, and the whole file.
+/// A picture: its name in the folder, or its path without one, and the whole file.
 struct PictureFile {
   std::string name, bytes;
 };
@@ -30,8 +32,10 @@ struct RenderedFrame {
   static RenderedFrame of_bytes(const std::string& bytes);
 };
 
-/// A picture of a frame; "frame" is the kind of the chip's own.
-PictureFile picture_file(const char* kind, int frame, const std::vector<std::uint8_t>& colours,
-                         int width = VisibleColumns, int height = VisibleRows);
+/// The chip's picture of a frame, as the plan has it.
+PictureFile picture_file(const OutputPlan& plan, int frame, const VgaFrame& picture);
+/// Another picture of it, for the folder.
+PictureFile picture_file(const OutputPlan& plan, const std::string& kind, int frame,
+                         const RgbImage& picture);
 
 }  // namespace racebeam

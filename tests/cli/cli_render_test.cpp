@@ -216,9 +216,9 @@ TEST_F(CliRenderTest, NoOutputOverwritesAnother) {
     EXPECT_EQ(program.wait(), 2);
     EXPECT_THAT(program.err(), HasSubstr("needs itself; choose another"));
   }
-  Program other(folder.path(), {"render", "demo", "--sheet", "a.jpg"});
+  Program other(folder.path(), {"render", "demo", "--stats", "a.txt"});
   EXPECT_EQ(other.wait(), 2);
-  EXPECT_THAT(other.err(), HasSubstr("--sheet writes .png; rename a.jpg"));
+  EXPECT_THAT(other.err(), HasSubstr("--stats writes .json; rename a.txt"));
   EXPECT_EQ(names(), Names{});
 }
 

@@ -11,6 +11,7 @@
 #include "sc/beam/knobs.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
+#include "tb/picture/picture_format.h"
 #include "tb/scene/scene_keys.h"
 #include "tb/scene/scene_reader.h"
 #include "tests/support/document.h"
@@ -108,6 +109,14 @@ TEST(Docs, EveryFigureIsShown) {
 TEST(Docs, ListsEveryKeyOfSceneFiles) {
   const std::string text = page("docs/scenes.md");
   for (const SceneKey& key : scene_keys()) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
+}
+
+TEST(Docs, ListsEveryPictureFormat) {
+  const auto rows = table_rows(page("docs/render.md"), "## Picture formats");
+  EXPECT_EQ(rows.size(), picture_formats().size());
+  for (const PictureFormat& format : picture_formats())
+    EXPECT_THAT(page("docs/render.md"),
+                HasSubstr("\n| `" + std::string(format.name) + "` | " + format.note + " |\n"));
 }
 
 TEST(Docs, ExampleSceneIsGood) {
