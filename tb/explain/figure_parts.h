@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tb/explain/figures.h"
 #include "tb/explain/ray_walk.h"
@@ -24,5 +25,14 @@ std::string draw_steps(const FigureSubject& subject);
 
 /// "pixel 319 of line 0, frame 1000 of demo".
 std::string subject_text(const FigureSubject& subject);
+
+/// A title at `top` and, below it, what the figure is of.
+void draw_legend(SvgSheet& sheet, double top, const std::string& title,
+                 const FigureSubject& subject, const RayWalk& walk);
+
+SvgPoint middle(const std::vector<SvgPoint>& points);
+
+/// Axis of the face that the answer to level 7 chose.
+int chosen_face(const TracerStep& exit);
 
 }  // namespace racebeam

@@ -70,6 +70,33 @@ class Stand {
   SvgPoint origin{0, 0};
 };
 
+/// The middle of a box of half the size `half` near a point where lines to `ends` begin: in the
+/// widest gap between them, as near as it touches none.
+SvgPoint clear_place(SvgPoint from, const std::vector<SvgPoint>& ends, SvgPoint half) {
+  constexpr double Turn = 2 * M_PI, Nearest = 14, Farthest = 90;
+  std::vector<double> angles;
+  for (const SvgPoint& end : ends) angles.push_back(std::atan2(end.y - from.y, end.x - from.x));
+  std::sort(angles.begin(), angles.end());
+  double begin = 0, gap = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + Turn;
+    if (next - angles[i] > gap) begin = angles[i], gap = next - angles[i];
+  }
+  const double ahead = begin + gap / 2;
+  const auto within = [&](double x, double y) {
+    return std::abs(std::remainder(std::atan2(y, x) - ahead, Turn)) < gap / 2;
+  };
+  double away = Nearest;
+  for (; away < Farthest; ++away) {
+    const double x = away * std::cos(ahead), y = away * std::sin(ahead);
+    if (std::max(std::abs(x) - half.x, std::abs(y) - half.y) < 6) continue;  // over the point
+    if (within(x - half.x, y - half.y) && within(x + half.x, y - half.y) &&
+        within(x - half.x, y + half.y) && within(x + half.x, y + half.y))
+      break;
+  }
+  return {from.x + away * std::cos(ahead), from.y + away * std::sin(ahead)};
+}
+
 /// The axis along which a line turns most.
 int steepest(const vec3& ddr) {
   int axis = 0;
@@ -107,11 +134,14 @@ std::string draw_pyramid(const FigureSubject& subject) {
   sheet.line(eye, one, Taken, 2.5);
   sheet.circle(one, 4, Taken);
   sheet.circle(eye, 6, Words);
-  sheet.text({eye.x - 10, eye.y + 18}, "camera", Anchor::Middle, 13, Words, true);
+  sheet.text(
+      clear_place(eye, {left_top, right_top, right_low, left_low, first, last, one}, {30, 8}),
+      "camera", Anchor::Middle, 13, Words, true);
   sheet.text({first.x - 8, first.y}, "dr(0)", Anchor::End, 13, Taken, true);
   sheet.text({last.x + 8, last.y}, "dr(639)", Anchor::Start, 13, Taken, true);
-  sheet.text({one.x, one.y - 14}, fmt::format("dr({})", subject.pixel), Anchor::Middle, 13, Taken,
-             true);
+  const bool falls = last.y > first.y;
+  sheet.text({one.x + (falls ? 4 : -4), one.y - 13}, fmt::format("dr({})", subject.pixel),
+             falls ? Anchor::Start : Anchor::End, 13, Taken, true);
   double y = 486;
   const auto row = [&](const std::string& name, const std::string& value) {
     sheet.text({24, y}, name, Anchor::Start, 12, Words, true);

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "tb/explain/figure_parts.h"
@@ -67,7 +68,7 @@ class Tree {
     bool reached = true;
     std::size_t next = begin;
     for (int level = 0; level < 4; ++level) {
-      const SvgPoint at{100 + 186.0 * level, 346}, wall{at.x - 20, 426};
+      const SvgPoint at{100 + 186.0 * level, 346}, wall{at.x - 28, 426};
       TracerStep step = walk_.questions[begin].step;
       step.level = level;
       const bool skipped =
@@ -86,7 +87,7 @@ class Tree {
     sheet_.line({before.x + BoxWidth / 2 - 8, before.y + BoxHeight / 2},
                 {room.x + BoxWidth / 2 - 8, room.y - BoxHeight / 2}, reached ? Taken : Faint,
                 reached ? 2.5 : 1);
-    sheet_.text({room.x + BoxWidth / 2 - 14, (before.y + room.y) / 2}, "inside", Anchor::End, 12,
+    sheet_.text({room.x + BoxWidth / 2 - 14, room.y - 40}, "inside", Anchor::End, 12,
                 reached ? Taken : Faint);
     leaf(room, fmt::format("room {}, and so on", walk_.questions[begin].step.room), reached);
   }
@@ -98,15 +99,14 @@ class Tree {
     const SvgPoint b{to.x - (sideways ? BoxWidth / 2 : 0), to.y - (sideways ? 0 : BoxHeight / 2)};
     sheet_.line(a, b, taken ? Taken : Faint, taken ? 2.5 : 1);
     if (label.empty()) return;
-    const bool rightwards = b.x > a.x;
-    const SvgPoint middle{(a.x + b.x) / 2 + (sideways     ? 0
-                                             : rightwards ? 10
-                                                          : 8),
-                          (a.y + b.y) / 2 - (sideways     ? 9
-                                             : rightwards ? 8
-                                                          : 0)};
-    sheet_.text(middle, label, sideways ? Anchor::Middle : Anchor::Start, sideways ? 11 : 12,
-                taken ? Taken : Faint);
+    // Beside a steep line, above a flat one.
+    const bool steep = std::abs(b.x - a.x) < std::abs(b.y - a.y);
+    const SvgPoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const char* const ink = taken ? Taken : Faint;
+    if (sideways) sheet_.text({middle.x, middle.y - 9}, label, Anchor::Middle, 11, ink);
+    else if (steep) sheet_.text({middle.x + 8, middle.y}, label, Anchor::Start, 12, ink);
+    else if (b.x > a.x) sheet_.text({middle.x + 10, middle.y - 8}, label, Anchor::Start, 12, ink);
+    else sheet_.text({middle.x - 10, middle.y - 8}, label, Anchor::End, 12, ink);
   }
   void question(SvgPoint at, const TracerStep& step, bool asked) {
     box(at, fmt::format("{}: {}?", step.level, question_text(step)), asked ? Blue : Pale,

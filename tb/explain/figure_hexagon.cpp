@@ -1,5 +1,5 @@
-// The hexagon of a room, and a portal with its four edges. Both are drawn in the mirrored world, in
-// which the ray has no negative component.
+// The hexagon of a room. It is drawn in the mirrored world, in which the ray has no negative
+// component.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tb/base/errors.h"
 #include "tb/explain/figure_parts.h"
 #include "tb/explain/step_text.h"
 
@@ -25,13 +24,6 @@ Real cross(const Real& a, const Real& b) {
 }
 Real scaled(const Real& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
 Real normal(const Real& a) { return scaled(a, 1 / std::sqrt(dot(a, a))); }
-SvgPoint middle(const std::vector<SvgPoint>& points) {
-  SvgPoint sum{0, 0};
-  for (const SvgPoint& p : points) sum = {sum.x + p.x, sum.y + p.y};
-  const auto n = static_cast<double>(points.size());
-  return {sum.x / n, sum.y / n};
-}
-
 /// The outline around points, in order.
 std::vector<SvgPoint> outline(std::vector<SvgPoint> points) {
   std::sort(points.begin(), points.end(),
@@ -51,6 +43,15 @@ std::vector<SvgPoint> outline(std::vector<SvgPoint> points) {
     std::reverse(points.begin(), points.end());
   }
   return hull;
+}
+
+double area(const std::vector<SvgPoint>& points) {
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SvgPoint p = points[i], q = points[(i + 1) % points.size()];
+    twice += p.x * q.y - q.x * p.y;
+  }
+  return std::abs(twice) / 2;
 }
 
 /// Where the line from `a` through `b` and beyond leaves an outline.
@@ -96,6 +97,18 @@ class View {
     const int a = 1 << (axis + 1) % 3, b = 1 << (axis + 2) % 3;
     return {at(0), at(a), at(a | b), at(b)};
   }
+  /// Where the line of the z edge goes on over the z face and leaves it.
+  SvgPoint beyond_z() const {
+    const SvgPoint corner = at(0), end = at(4);
+    return leaves(corner, {2 * corner.x - end.x, 2 * corner.y - end.y}, hull_);
+  }
+  /// For the name of a face: its middle; of the z face, that of its larger part beside that line.
+  SvgPoint label(int axis) const {
+    if (axis != 2) return middle(face(axis));
+    const std::vector<SvgPoint> left = {at(0), at(1), at(3), beyond_z()};
+    const std::vector<SvgPoint> right = {at(0), beyond_z(), at(3), at(2)};
+    return middle(area(left) > area(right) ? left : right);
+  }
 
   static constexpr double Width = 360, Height = 330, Middle = 225, Centre = 250;
 
@@ -114,20 +127,6 @@ class View {
   std::vector<SvgPoint> hull_;
 };
 
-/// Axis of the face that the answer to level 7 chose.
-int chosen_face(const TracerStep& exit) {
-  return exit.y_first ? (exit.answer & 1 ? 2 : 1) : (exit.answer & 1 ? 0 : 2);
-}
-
-void legend(SvgSheet& sheet, double top, const std::string& title, const FigureSubject& subject,
-            const RayWalk& walk) {
-  sheet.text({24, top}, title, Anchor::Start, 16, Words, true);
-  sheet.text(
-      {24, top + 22},
-      fmt::format("{}: ray {} {} {}", subject_text(subject), walk.ray[0], walk.ray[1], walk.ray[2]),
-      Anchor::Start, 12, Faint);
-}
-
 std::string numbers_text(const RayQuestion& q, const vec3& ray) {
   const int axis = q.step.level == 6 ? 2 : q.step.y_first ? 0 : 1;
   const int a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
@@ -137,10 +136,6 @@ std::string numbers_text(const RayQuestion& q, const vec3& ray) {
 
 }  // namespace
 
-std::string subject_text(const FigureSubject& s) {
-  return fmt::format("pixel {} of line {}, frame {} of {}", s.pixel, s.y, s.frame, s.show.name());
-}
-
 std::string draw_hexagon(const FigureSubject& subject) {
   const RayWalk walk(subject.show, subject.k, subject.frame, subject.y, subject.pixel);
   const RayQuestion &first = walk.questions[walk.last_room()],
@@ -148,8 +143,8 @@ std::string draw_hexagon(const FigureSubject& subject) {
   const View view(walk.magnitudes(), first);
   const int taken = chosen_face(exit.step);
   SvgSheet sheet(720, 460, "A room as the ray sees it");
-  legend(sheet, 26, fmt::format("Room {}, looked at along the ray", first.step.room), subject,
-         walk);
+  draw_legend(sheet, 26, fmt::format("Room {}, looked at along the ray", first.step.room), subject,
+              walk);
   for (int axis = 0; axis < 3; ++axis)
     sheet.polygon(view.face(axis), axis == taken ? TakenPale : Pale, None);
   sheet.polygon(view.hull(), None, Line, 2);
@@ -158,8 +153,7 @@ std::string draw_hexagon(const FigureSubject& subject) {
     const SvgPoint corner = view.at(0), end = view.at(1 << axis);
     const bool asked = axis == 2 || axis == (exit.step.y_first ? 0 : 1);
     sheet.line(corner, end, asked ? Taken : Line, asked ? 2.5 : 1.5);
-    const SvgPoint beyond{2 * corner.x - end.x, 2 * corner.y - end.y};
-    if (axis == 2) sheet.line(corner, leaves(corner, beyond, view.hull()), Taken, 1.5, true);
+    if (axis == 2) sheet.line(corner, view.beyond_z(), Taken, 1.5, true);
     const SvgPoint label = leaves(corner, end, view.hull());
     sheet.text({label.x + (label.x - corner.x) * 0.07, label.y + (label.y - corner.y) * 0.07},
                std::string(1, "xyz"[axis]), Anchor::Middle, 14, asked ? Taken : Words, true);
@@ -169,7 +163,7 @@ std::string draw_hexagon(const FigureSubject& subject) {
     return near ? SvgPoint{p.x, view.ray().y + 22} : p;
   };
   for (int axis = 0; axis < 3; ++axis)
-    sheet.text(clear_of_the_ray(middle(view.face(axis))), face_text(axis, walk.negative(axis)),
+    sheet.text(clear_of_the_ray(view.label(axis)), face_text(axis, walk.negative(axis)),
                Anchor::Middle, 13, axis == taken ? Taken : Words, axis == taken);
   sheet.circle(view.ray(), 5, Taken);
   double y = 120;
@@ -188,91 +182,6 @@ std::string draw_hexagon(const FigureSubject& subject) {
   write("The ray is the dot. Each question asks", Faint);
   write("on which side of an edge it lies; all", Faint);
   write("three edges go through the far corner.", Faint);
-  return sheet.finish();
-}
-
-std::string draw_portal(const FigureSubject& subject) {
-  const RayWalk walk(subject.show, subject.k, subject.frame, subject.y, subject.pixel);
-  const std::size_t room = walk.last_room();
-  const RayQuestion& exit = walk.questions[room + 1];
-  if (room + 2 >= walk.questions.size())
-    throw UsageError("there is no portal in the face that this ray meets; try another --pixel");
-  const RayQuestion& edge = walk.questions[room + 2];
-  const int face = chosen_face(exit.step), across = (face + 1) % 3, down = (face + 2) % 3;
-  const vec3 size = walk.magnitudes();
-  // In the plane of the face: the room's side, the portal's edges, and where the ray crosses.
-  struct Range {
-    double low, high;
-  };
-  const auto range = [](const RayQuestion& q, int axis) {
-    return Range{double(q.corner[axis] - 2 * q.half_size[axis]), double(q.corner[axis])};
-  };
-  const auto inside = [](Range of, Range in) {
-    return Range{std::clamp(of.low, in.low, in.high), std::clamp(of.high, in.low, in.high)};
-  };
-  const Range wall_a = range(exit, across), wall_d = range(exit, down);
-  const Range far_a = edge.step.level < 2 ? range(edge, across) : wall_a;
-  const Range far_d = edge.step.level < 2 ? range(edge, down) : wall_d;
-  const Range hole_a = inside(far_a, wall_a), hole_d = inside(far_d, wall_d);
-  const double reach = double(exit.corner[face]) / std::max(size[face], 1);
-  const double scale = std::min(370 / (wall_a.high - wall_a.low), 330 / (wall_d.high - wall_d.low));
-  const auto at = [&](double a, double d) {
-    return SvgPoint{50 + scale * (a - wall_a.low), 90 + scale * (d - wall_d.low)};
-  };
-  const auto box = [&](Range a, Range d) {
-    return std::vector<SvgPoint>{at(a.low, d.low), at(a.high, d.low), at(a.high, d.high),
-                                 at(a.low, d.high)};
-  };
-  SvgSheet sheet(720, 460, "A portal and its four edges");
-  legend(sheet, 26, fmt::format("The portal in the {} face", face_text(face, walk.negative(face))),
-         subject, walk);
-  // What each level cuts off from what is left, and the edge that it asks about.
-  struct Cut {
-    int level;
-    std::vector<SvgPoint> area;
-    SvgPoint from, to;
-  };
-  const Cut cuts[] = {
-      {0, box(wall_a, {hole_d.high, wall_d.high}), at(wall_a.low, hole_d.high),
-       at(wall_a.high, hole_d.high)},
-      {1, box({hole_a.high, wall_a.high}, {wall_d.low, hole_d.high}), at(hole_a.high, wall_d.low),
-       at(hole_a.high, hole_d.high)},
-      {2, box({wall_a.low, hole_a.high}, {wall_d.low, hole_d.low}), at(wall_a.low, hole_d.low),
-       at(hole_a.high, hole_d.low)},
-      {3, box({wall_a.low, hole_a.low}, {hole_d.low, hole_d.high}), at(hole_a.low, hole_d.low),
-       at(hole_a.low, hole_d.high)},
-  };
-  sheet.polygon(box(wall_a, wall_d), Pale, Line, 2);
-  const RayQuestion* answers[4] = {};
-  for (std::size_t i = room + 2; i < walk.questions.size() && walk.questions[i].step.level < 4; ++i)
-    answers[walk.questions[i].step.level] = &walk.questions[i];
-  for (const Cut& cut : cuts)
-    sheet.polygon(cut.area,
-                  answers[cut.level] && answers[cut.level]->step.answer ? TakenPale : Pale, None);
-  sheet.polygon(box(hole_a, hole_d), GreenPale, None);
-  for (const Cut& cut : cuts)
-    sheet.line(cut.from, cut.to, answers[cut.level] ? Taken : Line, answers[cut.level] ? 2.5 : 1.5);
-  for (const Cut& cut : cuts)
-    sheet.text(middle(cut.area), std::to_string(cut.level), Anchor::Middle, 13, Words, true);
-  sheet.text(middle(box(hole_a, hole_d)), fmt::format("room {}", edge.step.room), Anchor::Middle,
-             13, Green, true);
-  sheet.circle(at(size[across] * reach, size[down] * reach), 5, Taken);
-  double y = 100;
-  const auto write = [&](const std::string& text, const char* colour, bool bold = false) {
-    sheet.text({450, y}, text, Anchor::Start, 12, colour, bold);
-    y += 19;
-  };
-  for (int level = 0; level < 4; ++level) {
-    TracerStep step = edge.step;
-    step.level = level;
-    write(fmt::format("{}: {}", level, question_text(step)), Words, true);
-    write(answers[level] ? answer_text(answers[level]->step) : "not asked",
-          answers[level] ? Taken : Faint);
-    y += 4;
-  }
-  y += 8;
-  write("The ray is the dot. An edge it is outside", Faint);
-  write("of is a wall, and the questions end.", Faint);
   return sheet.finish();
 }
 
