@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sc/beam/knobs.h"
 #include "tb/program/command.h"
 #include "tests/cli/program.h"
 
@@ -241,28 +240,6 @@ TEST_F(CliTest, OutputsThatCannotBeAreRefusedBeforeSimulating) {
   expect_refused({"render", "demo", "--stats", "."}, {"cannot write .", "directory"});
   expect_refused({"render", "demo", "-o", "/proc/racebeam"}, {"cannot write /proc/racebeam"});
   expect_refused({"render", "demo", "-o", RACEBEAM_BINARY "/out"}, {"Not a directory"});
-}
-
-TEST_F(CliTest, KnobsListsTheWholeTable) {
-  Program table(folder.path(), {"knobs"});
-  EXPECT_EQ(table.wait(), 0);
-  Program json(folder.path(), {"knobs", "--json"});
-  EXPECT_EQ(json.wait(), 0);
-  auto rows = json.json().at("knobs");
-  const std::size_t settable = rows.size();
-  for (const auto& row : json.json().at("scene_knobs")) rows.push_back(row);
-  ASSERT_EQ(rows.size(), knob_table().size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const knob_info& row = knob_table()[i];
-    for (const std::string& text : {std::string(row.name), row.range(), std::string(row.meaning)})
-      EXPECT_THAT(table.out(), HasSubstr(text));
-    EXPECT_EQ(rows[i].at("name"), row.name);
-    EXPECT_EQ(row.of_scene, i >= settable) << row.name;
-    EXPECT_EQ(rows[i].count("values"), row.names.empty() ? 0 : 1);
-  }
-  EXPECT_EQ(rows[0].at("default"), 4);
-  EXPECT_EQ(rows[0].at("min"), 1);
-  EXPECT_EQ(rows[0].at("max"), 64);
 }
 
 TEST_F(CliTest, DoctorIsGoodHere) {

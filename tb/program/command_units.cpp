@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_units.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sc/beam/units.h"
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/verilate/project_folder.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* Row = "{:<18} {:<20} {:<7} {}\n";
+
+const char* shows_text(unit_row::use shows) {
+  switch (shows) {
+    case unit_row::Demo: return "demo";
+    case unit_row::SceneFile: return "scenes";
+    default: return "all";
+  }
+}
+
+/// Nothing where no RTL is installed.
+std::string rtl_text(const unit_row& row) {
+  const std::string file = rtl_file(row.name);
+  std::error_code error;
+  return std::filesystem::exists(file, error) ? file : "";
+}
+
+std::string table() {
+  std::string text = fmt::format(Row, "unit", "instance", "shows", "RTL");
+  for (const unit_row& row : unit_table())
+    text += fmt::format(Row, row.name, instance_of(row.name), shows_text(row.shows), rtl_text(row));
+  return text;
+}
+
+std::string json_table() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const unit_row& row : unit_table())
+    rows.push_back({{"name", row.name},
+                    {"slot", row.slot},
+                    {"instance", instance_of(row.name)},
+                    {"shows", shows_text(row.shows)},
+                    {"rtl", rtl_text(row)}});
+  return nlohmann::ordered_json{{"schema", "racebeam-units"}, {"version", 1}, {"units", rows}}.dump(
+             2) +
+         "\n";
+}
+
+}  // namespace
+
+int command_units(const UnitsOptions& options) {
+  print(options.json ? json_table() : table());
+  return ExitGood;
+}
+
+namespace {
+
+void add_options(CLI::App& command, UnitsOptions& options) {
+  command.add_flag("--json", options.json, "JSON on stdout instead of the table");
+}
+
+}  // namespace
+
+Command units_row() {
+  return make_command<UnitsOptions>("units", "List the units of the chip, and their RTL", "Verify",
+                                    "units", add_options, command_units);
+}
+
+}  // namespace racebeam

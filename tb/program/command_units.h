@@ -1,0 +1,20 @@
+// `racebeam units`: what --use, verify and trace call by its name.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tb/program/command.h"
+
+namespace racebeam {
+
+struct UnitsOptions {
+  bool json = false;
+};
+
+/// Prints the table of units, as JSON if `json`. Returns the exit code.
+int command_units(const UnitsOptions& options);
+
+Command units_row();
+
+}  // namespace racebeam
