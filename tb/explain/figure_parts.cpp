@@ -10,6 +10,11 @@ std::string subject_text(const FigureSubject& s) {
   return fmt::format("pixel {} of line {}, frame {} of {}", s.pixel, s.y, s.frame, s.show.name());
 }
 
+std::string svg_colour(int colour) {
+  const auto light = [colour](int shift) { return (colour >> shift & 3) * 85; };
+  return fmt::format("#{:02x}{:02x}{:02x}", light(4), light(2), light(0));
+}
+
 SvgPoint middle(const std::vector<SvgPoint>& points) {
   SvgPoint sum{0, 0};
   for (const SvgPoint& p : points) sum = {sum.x + p.x, sum.y + p.y};

@@ -22,6 +22,8 @@ std::string draw_portal(const FigureSubject& subject);
 std::string draw_tree(const FigureSubject& subject);
 std::string draw_pyramid(const FigureSubject& subject);
 std::string draw_steps(const FigureSubject& subject);
+std::string draw_pins(const FigureSubject& subject);
+std::string draw_platform(const FigureSubject& subject);
 
 /// "pixel 319 of line 0, frame 1000 of demo".
 std::string subject_text(const FigureSubject& subject);
@@ -29,6 +31,9 @@ std::string subject_text(const FigureSubject& subject);
 /// A title at `top` and, below it, what the figure is of.
 void draw_legend(SvgSheet& sheet, double top, const std::string& title,
                  const FigureSubject& subject, const RayWalk& walk);
+
+/// A colour of the chip, r * 16 + g * 4 + b, as SVG has it.
+std::string svg_colour(int colour);
 
 SvgPoint middle(const std::vector<SvgPoint>& points);
 

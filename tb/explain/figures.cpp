@@ -16,6 +16,8 @@ const std::vector<Figure>& figures() {
       {"decision-tree", "the six questions of a room, and how the pixel answered them", draw_tree},
       {"ray-pyramid", "the rays of a frame, and of one line", draw_pyramid},
       {"step-table", "what each bit of a pixel's number adds to its ray", draw_steps},
+      {"pins", "a line as it leaves the pins, in each of its clocks", draw_pins},
+      {"platform", "the chip in a virtual platform, and what goes over its sockets", draw_platform},
   };
   return all;
 }
