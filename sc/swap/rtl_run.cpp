@@ -42,6 +42,7 @@ struct Evaluation {
 
 std::uint64_t printed = 0;
 std::string last_line, line;  // printed: whole, and begun
+std::function<bool(const std::string&)> listener;
 
 /// Our own code runs inside RTL for a while.
 class Outside {
@@ -81,6 +82,7 @@ void print(const char* format, va_list values) {
   if (vasprintf(&text, format, values) < 0) return;
   const std::string all(text);
   std::free(text);
+  if (listener && listener(all)) return;
   std::fputs(all.c_str(), stderr);
   printed += all.size();
   for (const char c : all) {
@@ -234,6 +236,11 @@ void leave_rtl(int number) {
   set(last_words.timer, Patience, false);
   __builtin_longjmp(now.way_out, 1);
 }
+
+RtlListener::RtlListener(std::function<bool(const std::string&)> takes) {
+  listener = std::move(takes);
+}
+RtlListener::~RtlListener() { listener = nullptr; }
 
 const rtl_host& rtl_run_host() {
   static const rtl_host host{print, end};

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 
 #include "sc/swap/rtl_library.h"
 
@@ -22,6 +24,16 @@ void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*));
 
 /// What plug-ins are made with: what they print goes to stderr.
 const rtl_host& rtl_run_host();
+
+/// While it lives, it hears what RTL prints before that is printed. One at a time.
+class RtlListener {
+ public:
+  /// `takes` one piece, mostly a line; true: it is not printed.
+  explicit RtlListener(std::function<bool(const std::string& text)> takes);
+  ~RtlListener();
+  RtlListener(const RtlListener&) = delete;
+  RtlListener& operator=(const RtlListener&) = delete;
+};
 
 /// For handlers of other signals than crashes: does not return if RTL is being evaluated; run_rtl()
 /// then throws an RtlFault that names the signal.

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/tt/tt_chip.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "sc/swap/rtl_remarks.h"
+#include "sc/swap/rtl_run.h"
+#include "tb/base/console.h"
+#include "tb/base/counted.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 
@@ -51,8 +56,31 @@ TtChip::TtChip(const std::string& plugin, const std::string& folder, TilePins in
   uio_in_ = &pin("uio_in");
   pin("ena") = 1;
   set_inputs(inputs);
-  const WorkingFolder here(folder);  // $readmemh reads in the first evaluation
-  library_.eval();
+  first_evaluation(folder);
+}
+
+// In which $readmemh reads. What is missing is told once, and not as Verilator tells it.
+void TtChip::first_evaluation(const std::string& folder) {
+  std::vector<std::string> missing;
+  {
+    const RtlListener listener([&](const std::string& text) {
+      const std::string before = "%Warning: ", after = ":0: $readmem file not found";
+      const auto end = text.find(after);
+      if (text.rfind(before, 0) != 0 || end == std::string::npos) return false;
+      const fs::path name = text.substr(before.size(), end - before.size());
+      const std::string file = (fs::path(folder) / name).lexically_normal().string();
+      if (std::find(missing.begin(), missing.end(), file) == missing.end()) missing.push_back(file);
+      return true;
+    });
+    const WorkingFolder here(folder);
+    library_.eval();
+  }
+  if (missing.empty()) return;
+  const std::size_t more = missing.size() - 1;
+  tell("warning: " + nearer_path(missing.front()) + " is not there" +
+       (more ? ", nor " + counted(more, "more file") + " that the RTL reads"
+             : ", which the RTL reads") +
+       ": memories keep what they have at the start");
 }
 
 void TtChip::set_inputs(TilePins inputs) {

@@ -38,6 +38,7 @@ class TtChip {
 
  private:
   std::uint8_t& pin(const char* name) const;
+  void first_evaluation(const std::string& folder);
 
   rtl_library library_;
   std::uint8_t *rst_n_, *ui_in_, *uio_in_;

@@ -190,6 +190,20 @@ TEST_F(CliTtTraitsTest, RunsNoCommandsOfStrangers) {
   EXPECT_TRUE(fs::exists(folder / "touched")) << "the command runs in the folder of the sources";
 }
 
+TEST_F(CliTtTraitsTest, NamesAFileThatTheRtlReadsAndThatIsNotThere) {
+  change("src/tt_um_bars.v", "  assign uio_oe",
+         "  reg [7:0] m[0:3], n[0:3];\n"
+         "  initial begin $readmemh(\"../data/one.hex\", m); $readmemh(\"two.hex\", n);"
+         " $readmemh(\"two.hex\", m); end\n  assign uio_oe");
+  expect_bars({}, 0,
+              {"warning: bars/data/one.hex is not there, nor 1 more file that the RTL reads"},
+              "$readmem file not found");
+  write("bars/data/one.hex", "1 2 3 4\n");
+  expect_bars({}, 0, {"warning: bars/src/two.hex is not there, which the RTL reads: "}, "one.hex");
+  write("bars/src/two.hex", "1 2 3 4\n");
+  expect_bars({}, 0, {}, "warning");
+}
+
 TEST_F(CliTtTraitsTest, WarnsOfAVectorThatFeedsItselfBitByBit) {
   expect_bars({}, 0, {}, "warning");
   change("src/tt_um_bars.v", "assign uio_oe = 8'h80;",
