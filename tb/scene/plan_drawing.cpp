@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tb/scene/plan_pen.h"
+#include "tb/scene/plan_panels.h"
 #include "tb/scene/plan_storeys.h"
 
 namespace racebeam {
@@ -15,35 +15,9 @@ namespace {
 constexpr Ink Wall{0.25, 0.27, 0.30}, Low{0.93, 0.95, 0.97}, High{0.74, 0.81, 0.89};
 constexpr Ink Door{0.13, 0.62, 0.33}, Vertical{0.13, 0.35, 0.75}, Way{0.84, 0.20, 0.12};
 constexpr Ink Begin{1.0, 0.83, 0.25}, Words{0.1, 0.1, 0.12}, Pale{0.45, 0.47, 0.5};
-constexpr double LargestPanel = 900, LargestOfMany = 660;  // pixels
-constexpr double LargestScale = 1.25;                      // pixels per unit
-constexpr double SheetWidth = 1500, Margin = 26, Title = 26, Head = 84;
+constexpr double Margin = PlanSheet::Margin;
 constexpr double Letters = 12, SmallestLetters = 8;
 constexpr int MostMarks = 40;
-
-// A view of some rooms: the axes of the scene that go right and down on the sheet.
-struct Panel {
-  std::string title;
-  int right = 0, down = 2;
-  bool up = true;  // large values of `down` are up
-  int storey = -1;
-  std::vector<int> rooms;       // drawn as boxes, from back to front
-  std::vector<int> low, high;   // of all that is drawn, per axis
-  double scale = 1;             // pixels per unit
-  double left = 0, top = 0;     // of the drawing
-  std::vector<Box> taken = {};  // by words
-
-  double width() const { return (high[right] - low[right]) * scale; }
-  double height() const { return (high[down] - low[down]) * scale; }
-  Dot at(const Vector& place) const {
-    const int y = up ? high[down] - place[down] : place[down] - low[down];
-    return {left + (place[right] - low[right]) * scale, top + y * scale};
-  }
-  Box box(const Vector& from, const Vector& to) const {
-    const Dot a = at(from), b = at(to);
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::abs(b.x - a.x), std::abs(b.y - a.y)};
-  }
-};
 
 Vector lows(const Room& room) { return {room.low(0), room.low(1), room.low(2)}; }
 Vector highs(const Room& room) { return {room.high(0), room.high(1), room.high(2)}; }
@@ -53,21 +27,16 @@ class Drawing {
   explicit Drawing(const SceneFile& scene)
       : scene_(scene),
         storeys_(storeys_of(scene)),
-        strands_(strands_of(scene, fly(scene), storeys_)) {
-    for (std::size_t i = 0; i < storeys_.size(); ++i) {
-      add_storey(static_cast<int>(i));
-      if (i + 1 == storeys_.size() || storeys_[i + 1].set != storeys_[i].set)
-        add_side(storeys_[i].set);
-    }
-    place_panels();
+        strands_(strands_of(scene, fly(scene), storeys_)),
+        sheet_(scene, storeys_) {
     while (scene.frames / step_ > MostMarks) step_ = next_step(step_);
   }
 
   PlanDrawing draw(PlanFormat format) {
-    PlanPen pen(format, width_, height_);
+    PlanPen pen(format, sheet_.width, sheet_.height);
     draw_head(pen);
-    for (Panel& panel : panels_) draw_panel(pen, panel);
-    return {pen.finish(), width_, height_};
+    for (PlanPanel& panel : sheet_.panels) draw_panel(pen, panel);
+    return {pen.finish(), sheet_.width, sheet_.height};
   }
 
  private:
@@ -76,76 +45,6 @@ class Drawing {
     int power = 1;
     while (step >= 10 * power) power *= 10;
     return step / power == 2 ? 5 * power : 2 * step;
-  }
-
-  void measure(Panel& panel, const std::vector<int>& rooms) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      panel.low.push_back(scene_.rooms[rooms[0]].low(axis));
-      panel.high.push_back(scene_.rooms[rooms[0]].high(axis));
-      for (const int room : rooms) {
-        panel.low[axis] = std::min(panel.low[axis], scene_.rooms[room].low(axis));
-        panel.high[axis] = std::max(panel.high[axis], scene_.rooms[room].high(axis));
-      }
-    }
-  }
-
-  static std::string set_title(const std::string& set) {
-    return set.empty() ? "" : "set " + set + ", ";
-  }
-
-  // All storeys of a set are drawn in the same frame, so that they can be laid on each other.
-  void add_storey(int number) {
-    const Storey& storey = storeys_[number];
-    Panel panel;
-    panel.title = set_title(storey.set) + "storey " + std::to_string(storey.number);
-    panel.storey = number;
-    panel.rooms = storey.rooms;
-    measure(panel, rooms_of(storey.set));
-    panels_.push_back(std::move(panel));
-  }
-
-  void add_side(const std::string& set) {
-    Panel panel;
-    panel.title = set_title(set) + "from the south";
-    panel.down = 1;
-    panel.up = false;
-    panel.rooms = rooms_of(set);
-    std::stable_sort(panel.rooms.begin(), panel.rooms.end(), [&](int a, int b) {
-      return scene_.rooms[a].centre[2] > scene_.rooms[b].centre[2];
-    });
-    measure(panel, panel.rooms);
-    panels_.push_back(std::move(panel));
-  }
-
-  std::vector<int> rooms_of(const std::string& set) const {
-    std::vector<int> rooms;
-    for (std::size_t i = 0; i < scene_.rooms.size(); ++i)
-      if (scene_.rooms[i].set == set) rooms.push_back(static_cast<int>(i));
-    return rooms;
-  }
-
-  // In rows from the left, all in one scale.
-  void place_panels() {
-    double scale = LargestScale, right = 0;
-    const double largest = panels_.size() > 2 ? LargestOfMany : LargestPanel;
-    for (const Panel& panel : panels_)
-      scale = std::min(scale, largest / std::max(panel.width(), panel.height()));
-    double x = Margin, y = Head, row = 0;
-    for (Panel& panel : panels_) {
-      panel.scale = scale;
-      const double width = std::max(panel.width(), 160.0) + 2 * Margin;
-      if (x > Margin && x + width > SheetWidth) {
-        y += row;
-        x = Margin, row = 0;
-      }
-      panel.left = x;
-      panel.top = y + Title;
-      x += width;
-      row = std::max(row, panel.height() + Title + Margin);
-      right = std::max(right, x - Margin);
-    }
-    width_ = static_cast<int>(std::ceil(std::max(right, 760.0)));
-    height_ = static_cast<int>(std::ceil(y + row));
   }
 
   void draw_head(PlanPen& pen) const {
@@ -173,14 +72,14 @@ class Drawing {
   }
 
   void draw_scale(PlanPen& pen) const {
-    const double scale = panels_.front().scale;
+    const double scale = sheet_.panels.front().scale;
     int units = 1;
     while (units * scale < 60) units = next_step(units);
-    const double right = width_ - Margin - 40, left = right - units * scale, y = 30;
+    const double right = sheet_.width - Margin - 40, left = right - units * scale, y = 30;
     pen.line({{left, y - 4}, {left, y}, {right, y}, {right, y - 4}}, Words, 1.5);
     pen.text({(left + right) / 2, y - 11}, std::to_string(units) + " units", Letters, Words);
-    pen.triangle({width_ - Margin - 8, 24}, 12, 22, Words);
-    pen.text({width_ - Margin - 8, 46}, "N", Letters, Words, true);
+    pen.triangle({sheet_.width - Margin - 8, 24}, 12, 22, Words);
+    pen.text({sheet_.width - Margin - 8, 46}, "N", Letters, Words, true);
   }
 
   // The end of the text.
@@ -191,7 +90,7 @@ class Drawing {
     return left.x + width;
   }
 
-  void draw_panel(PlanPen& pen, Panel& panel) {
+  void draw_panel(PlanPen& pen, PlanPanel& panel) {
     left_text(pen, {panel.left, panel.top - 13}, panel.title, Letters + 1, Words, true);
     for (const int room : panel.rooms) draw_room(pen, panel, scene_.rooms[room]);
     for (const int room : panel.rooms) draw_portals(pen, panel, scene_.rooms[room]);
@@ -204,12 +103,12 @@ class Drawing {
         if (shows(panel, strand)) draw_marks(pen, panel, strand, jumps);
   }
 
-  bool shows(const Panel& panel, const Strand& strand) const {
+  bool shows(const PlanPanel& panel, const Strand& strand) const {
     if (panel.storey >= 0) return strand.storey == panel.storey;
     return storeys_[strand.storey].set == scene_.rooms[panel.rooms[0]].set;
   }
 
-  void draw_room(PlanPen& pen, const Panel& panel, const Room& room) const {
+  void draw_room(PlanPen& pen, const PlanPanel& panel, const Room& room) const {
     int lowest = room.high(1), highest = room.high(1);
     for (const int other : panel.rooms) {
       lowest = std::max(lowest, scene_.rooms[other].high(1));
@@ -223,7 +122,7 @@ class Drawing {
     pen.frame(box, Wall, 1);
   }
 
-  void draw_portals(PlanPen& pen, const Panel& panel, const Room& room) const {
+  void draw_portals(PlanPen& pen, const PlanPanel& panel, const Room& room) const {
     for (int face = 0; face < FaceCount; ++face)
       for (const int number : room.portals[face]) {
         const Room& next = scene_.rooms[number];
@@ -249,7 +148,7 @@ class Drawing {
                  Vertical);
   }
 
-  void draw_way(PlanPen& pen, const Panel& panel, const Strand& strand) const {
+  void draw_way(PlanPen& pen, const PlanPanel& panel, const Strand& strand) const {
     std::vector<Dot> dots;
     const auto bends = [&](std::size_t i) {
       if (i == 0 || i + 1 == strand.points.size()) return true;
@@ -265,7 +164,7 @@ class Drawing {
   }
 
   // Smaller and smaller letters, then upwards, then not at all.
-  void draw_name(PlanPen& pen, Panel& panel, const Room& room) const {
+  void draw_name(PlanPen& pen, PlanPanel& panel, const Room& room) const {
     const std::string& set = room.set;
     const bool prefixed = !set.empty() && room.id.rfind(set + ".", 0) == 0;
     const std::string name = prefixed ? room.id.substr(set.size() + 1) : room.id;
@@ -285,7 +184,7 @@ class Drawing {
       }
   }
 
-  void draw_marks(PlanPen& pen, Panel& panel, const Strand& strand, bool jumps) const {
+  void draw_marks(PlanPen& pen, PlanPanel& panel, const Strand& strand, bool jumps) const {
     for (const StrandPoint& point : strand.points) {
       const bool begins = strand.jumps && &point == &strand.points.front();
       if (begins != jumps || (!begins && point.frame % step_ != 0)) continue;
@@ -297,7 +196,7 @@ class Drawing {
   }
 
   // Beside a mark, where there is room for it.
-  static void label(PlanPen& pen, Panel& panel, Dot at, const std::string& text, bool bold) {
+  static void label(PlanPen& pen, PlanPanel& panel, Dot at, const std::string& text, bool bold) {
     const double letters = 10, gap = 4;
     const Dot size = pen.size(text, letters, bold);
     const double aside = size.x / 2 + gap + 2, away = size.y / 2 + gap;
@@ -317,8 +216,7 @@ class Drawing {
   const SceneFile& scene_;
   const std::vector<Storey> storeys_;
   const std::vector<Strand> strands_;
-  std::vector<Panel> panels_;
-  int width_ = 0, height_ = 0;
+  PlanSheet sheet_;
   int step_ = 10;  // frames from mark to mark
 };
 
