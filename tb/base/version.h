@@ -6,7 +6,7 @@
 
 namespace racebeam {
 
-/// "0.1.0"
+/// "0.2.0"
 const char* program_version();
 
 }  // namespace racebeam

@@ -13,7 +13,7 @@
 #include "tb/base/counted.h"
 #include "tb/base/csv_file.h"
 #include "tb/base/errors.h"
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 
 namespace racebeam {
 

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "tb/base/errors.h"
+#include "tb/base/project_folder.h"
 
 namespace racebeam {
 
@@ -18,8 +19,8 @@ namespace {
 /// Beside the program, as it is built, or where that is installed.
 fs::path library_path() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const fs::path installed = (program / "../lib/racebeam").lexically_normal();
+  const fs::path program = program_folder();
+  const fs::path installed = (program / RACEBEAM_PLUGINS).lexically_normal();
   for (const fs::path& folder : {program, installed})
     if (const fs::path file = folder / ImageLibraryFile; fs::exists(file, error)) return file;
   throw MissingTool(std::string(ImageLibraryFile) + " is neither in " + program.string() +

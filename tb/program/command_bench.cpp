@@ -15,13 +15,13 @@
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
 #include "tb/base/progress.h"
+#include "tb/base/project_folder.h"
 #include "tb/program/common_options.h"
 #include "tb/show/open_show.h"
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
 #include "tb/twin/unit_bench.h"
-#include "tb/verilate/project_folder.h"
 
 namespace racebeam {
 

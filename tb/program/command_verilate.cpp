@@ -7,9 +7,9 @@
 
 #include "tb/base/errors.h"
 #include "tb/base/output_file.h"
+#include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
 #include "tb/program/common_options.h"
-#include "tb/verilate/project_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/source_list.h"

@@ -110,7 +110,7 @@ int command_view(const ViewOptions& options) {
   const std::vector<std::string> keys = keys_to_press(options, false);
   const Run run = open_run(options);
   Viewer::Options setting = viewer_options(options, run.show.frames());
-  if (options.scene != BuiltIn) setting.scene_file = options.scene;
+  if (options.scene != BuiltIn) setting.scene_file = scene_path(options.scene);
   setting.demo_file = demo_file;
   setting.explain = explain_of(options);
   const bool tlm = run.level == LevelTlm;

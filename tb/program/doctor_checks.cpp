@@ -22,13 +22,13 @@
 #include "sc/base/constants.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
+#include "tb/base/project_folder.h"
 #include "tb/base/version.h"
 #include "tb/monitor/sound_monitor.h"
 #include "tb/picture/contact_sheet.h"
 #include "tb/picture/gif_writer.h"
 #include "tb/picture/image_library.h"
 #include "tb/picture/png_file.h"
-#include "tb/verilate/project_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 
 namespace racebeam {
@@ -133,7 +133,8 @@ std::vector<Check> check_files() {
     sound.advance(static_cast<std::uint64_t>(2 * PixelClockHz / 10));  // 0.1 s
     sound.write_wav(folder->file("a.wav"));
   }));
-  if (!find_in_path("verilator").empty())
+  checks.push_back(check("find RTL", [] { rtl_folder(); }));
+  if (checks.back().good && !find_in_path("verilator").empty())
     checks.push_back(check("verilate RTL", [&] {
       rtl_library(rtl_plugin({"stacks", {rtl_file("stacks")}}));
     }));

@@ -31,8 +31,8 @@ struct OptionalTool {
 std::vector<Fact> versions();
 /// Processor cores and memory.
 std::vector<Fact> machine();
-/// Writes a file of each kind to a temporary folder; verilates a unit's RTL if there is a
-/// verilator.
+/// Writes a file of each kind to a temporary folder; looks for the RTL, and verilates a unit's if
+/// there is a verilator.
 std::vector<Check> check_files();
 /// Looks for tools along PATH.
 std::vector<OptionalTool> find_tools();

@@ -22,7 +22,8 @@
 #include "tb/base/errors.h"
 #include "tb/base/guarded.h"
 #include "tb/base/interrupt.h"
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
+#include "tb/show/open_show.h"
 #include "tb/verilate/source_list.h"
 
 namespace racebeam {
@@ -112,7 +113,7 @@ int verify_watch(const VerifyOptions& options) {
     }
     Snapshot files;
     for (const std::string& path : paths) files.add(path);
-    if (fs::exists(options.scene)) files.add(options.scene);
+    if (const std::string scene = scene_path(options.scene); fs::exists(scene)) files.add(scene);
     if (run(options) == ExitInterrupted || interrupted()) break;
     const std::string more = std::to_string(files.size() - 1);
     tell("waiting until " + paths.front() +

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "sc/beam/units.h"
+#include "tb/base/project_folder.h"
 #include "tb/base/spread_frames.h"
 #include "tb/bench/signal_bench.h"
 #include "tb/bench/tlm_bench.h"
@@ -13,7 +14,6 @@
 #include "tb/tt/tt_chip.h"
 #include "tb/tt/tt_project.h"
 #include "tb/twin/beam_twins.h"
-#include "tb/verilate/project_folder.h"
 
 namespace racebeam {
 

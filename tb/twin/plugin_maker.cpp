@@ -8,7 +8,7 @@
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/console.h"
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/source_list.h"

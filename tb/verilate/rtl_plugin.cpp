@@ -10,11 +10,11 @@
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
+#include "tb/base/project_folder.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/clock_wrapper.h"
 #include "tb/verilate/elaborated.h"
 #include "tb/verilate/making_line.h"
-#include "tb/verilate/project_folder.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/run_tool.h"
 #include "tb/verilate/verilator.h"

@@ -9,7 +9,7 @@
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 #include "tb/verilate/run_tool.h"
 
 namespace racebeam {

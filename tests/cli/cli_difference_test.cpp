@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 #include "tests/cli/cli_trace_bench.h"
 #include "tests/cli/traced_window.h"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 #include "tests/cli/program.h"
 
 namespace racebeam {

@@ -250,7 +250,7 @@ TEST_F(CliTest, DoctorIsGoodHere) {
   Program program(folder.path(), {"doctor", "--json"});
   const auto json = program.json();
   EXPECT_EQ(json.at("versions").at("racebeam"), RACEBEAM_VERSION);
-  EXPECT_EQ(json.at("checks").size(), 6);
+  EXPECT_EQ(json.at("checks").size(), 7);
   EXPECT_EQ(json.at("tools").size(), 4);
 }
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tb/base/project_folder.h"
 #include "tb/trace/trace_window.h"
-#include "tb/verilate/project_folder.h"
 #include "tests/cli/cli_trace_bench.h"
 #include "tests/cli/x_server.h"
 

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 #include "tests/cli/program.h"
 
 namespace racebeam {

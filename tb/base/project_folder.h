@@ -9,10 +9,15 @@
 
 namespace racebeam {
 
-/// The folder with rtl/ and sc/: of the sources, or where they are installed.
+/// Where the program that runs lies.
+std::string program_folder();
+
+/// The folder with scenes/, rtl/ and sc/: where they are installed with the program, or the
+/// sources.
 std::string project_folder();
 
-/// The folder of this project's RTL, with its info.yaml.
+/// The folder of this project's RTL, with its info.yaml. It throws MissingTool if the program is
+/// installed without, and so do the others.
 std::string rtl_folder();
 /// The folders in it: of each engine, and of what they share.
 std::vector<std::string> rtl_folders();

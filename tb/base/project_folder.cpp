@@ -1,22 +1,35 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 
 #include <algorithm>
 #include <filesystem>
+
+#include "tb/base/errors.h"
 
 namespace racebeam {
 
 namespace fs = std::filesystem;
 
-std::string project_folder() {
+std::string program_folder() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const fs::path installed = (program / "../share/racebeam").lexically_normal();
-  return fs::exists(installed / "rtl", error) ? installed.string() : RACEBEAM_ROOT;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
-std::string rtl_folder() { return project_folder() + "/rtl"; }
+std::string project_folder() {
+  std::error_code error;
+  const fs::path installed = (fs::path(program_folder()) / RACEBEAM_DATA).lexically_normal();
+  return fs::exists(installed, error) ? installed.string() : RACEBEAM_ROOT;
+}
+
+std::string rtl_folder() {
+  std::error_code error;
+  const std::string folder = project_folder() + "/rtl";
+  if (!fs::exists(folder, error))
+    throw MissingTool("racebeam is installed without its RTL: there is no " + folder +
+                      "; `cmake --install BUILD --component rtl` adds it");
+  return folder;
+}
 
 std::vector<std::string> rtl_folders() {
   std::vector<std::string> folders;
