@@ -1,5 +1,6 @@
 # What is installed, in three components:
-#   program    racebeam, its picture library, scenes, checksums of the chip, what plug-ins include
+#   program    racebeam with manual page and completions, its picture library, scenes, checksums of
+#              the chip, what plug-ins include
 #   rtl        the units in SystemVerilog, verilated when asked for
 #   hardware   the SystemC chip as a library, for find_package and pkg-config
 # All paths are relative to the prefix: it may be moved.
@@ -18,7 +19,10 @@ install(
 install(
   DIRECTORY scenes
   DESTINATION ${RACEBEAM_DATADIR}
-  COMPONENT program)
+  COMPONENT program
+  FILES_MATCHING
+  PATTERN "*.toml"
+  PATTERN pictures EXCLUDE)
 install(
   DIRECTORY tests/reference
   DESTINATION ${RACEBEAM_DATADIR}/tests
@@ -27,6 +31,41 @@ install(
   FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_model.h sc/swap/rtl_runtime.h
   DESTINATION ${RACEBEAM_DATADIR}/sc/swap
   COMPONENT program)
+
+install(
+  FILES cmake/copyright
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/racebeam
+  COMPONENT program)
+
+# The manual page and the completions, which the program writes
+set(WRITTEN ${CMAKE_BINARY_DIR}/written)
+file(MAKE_DIRECTORY ${WRITTEN})
+set(WRITE "$<TARGET_FILE:racebeam> --man | gzip -9n >racebeam.1.gz")
+foreach(shell bash fish zsh)
+  string(APPEND WRITE " && $<TARGET_FILE:racebeam> --completion ${shell} >${shell}")
+endforeach()
+add_custom_command(
+  OUTPUT ${WRITTEN}/racebeam.1.gz ${WRITTEN}/bash ${WRITTEN}/fish ${WRITTEN}/zsh
+  COMMAND bash -o pipefail -c "${WRITE}"
+  DEPENDS racebeam
+  WORKING_DIRECTORY ${WRITTEN}
+  COMMENT "Writing the manual page and the completions"
+  VERBATIM)
+add_custom_target(racebeam_written ALL DEPENDS ${WRITTEN}/racebeam.1.gz)
+install(
+  FILES ${WRITTEN}/racebeam.1.gz
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  COMPONENT program)
+function(install_completion shell folder name)
+  install(
+    FILES ${WRITTEN}/${shell}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder}
+    RENAME ${name}
+    COMPONENT program)
+endfunction()
+install_completion(bash bash-completion/completions racebeam)
+install_completion(fish fish/vendor_completions.d racebeam.fish)
+install_completion(zsh zsh/site-functions _racebeam)
 
 install(
   DIRECTORY rtl

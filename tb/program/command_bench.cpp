@@ -154,9 +154,14 @@ std::string verdict(const Json& worst) {
 
 }  // namespace
 
+std::vector<std::string> bench_rows() {
+  std::vector<std::string> rows = {Levels, Traces, Mixes, Host};
+  for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
+  return rows;
+}
+
 int command_bench(const BenchOptions& options) {
-  std::vector<std::string> known = {Levels, Traces, Mixes, Host};
-  for (const unit_row& row : unit_table()) known.push_back(row.name);
+  const std::vector<std::string> known = bench_rows();
   for (const auto& name : options.rows)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw unknown_name("row", name, known);

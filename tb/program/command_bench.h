@@ -17,6 +17,9 @@ struct BenchOptions : Effort {
   bool json = false;
 };
 
+/// The groups of rows, and the units: what may be asked for.
+std::vector<std::string> bench_rows();
+
 /// Returns the exit code. Throws UsageError for an unknown row.
 int command_bench(const BenchOptions& options);
 

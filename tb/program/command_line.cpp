@@ -15,7 +15,10 @@
 #include "tb/base/nearest.h"
 #include "tb/base/version.h"
 #include "tb/program/command.h"
+#include "tb/program/completion.h"
+#include "tb/program/completion_script.h"
 #include "tb/program/help_text.h"
+#include "tb/program/man_page.h"
 
 namespace racebeam {
 
@@ -65,6 +68,15 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<HelpText>());  // of the commands too, which are added later
   app.footer(ExitCodes);
+  std::string text;  // instead of a command
+  app.add_flag_callback(
+      "--man", [&] { text = man_page(app), throw CLI::Success(); },
+      "Print the manual page: racebeam --man | man -l -");
+  app.add_option_function<std::string>(
+         "--completion",
+         [&](const std::string& shell) { text = completion_script(shell), throw CLI::Success(); },
+         "Print a script with which bash, fish or zsh completes command lines")
+      ->type_name("SHELL");
   std::vector<RunCommand> runs;
   for (const Command& row : command_table()) {
     CLI::App* command = app.add_subcommand(row.name, row.summary);
@@ -72,13 +84,17 @@ int run_command_line(int argc, char** argv) {
     command->footer(fmt::format("Example:\n  {} {}\n\n{}", ProgramName, row.example, ExitCodes));
     runs.push_back(row.add(*command));
   }
+  if (argc > 1 && std::string(argv[1]) == CompleteOption) {
+    print(completions(app, {argv + 2, argv + argc}));
+    return ExitGood;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw usage_error(app, error);
     std::ostringstream help, unused;
     app.exit(error, help, unused);
-    print(help.str());
+    print(help.str() + text);
     return ExitGood;
   }
   std::vector<std::string> words(argv, argv + argc);

@@ -155,23 +155,23 @@ Command scene_row() {
           one->callback([chosen, run] { *chosen = run; });
           return one;
         };
-        const auto add_of_file = [&](const char* name, const char* help,
+        const auto add_of_file = [&](const char* name, const char* type, const char* help,
                                      int (*run)(const SceneOptions&)) {
           CLI::App* one = add(name, help, run);
-          one->add_option("file", options->file, "Scene file (TOML)")
-              ->required()
-              ->type_name("FILE");
+          one->add_option("file", options->file, "Scene file (TOML)")->required()->type_name(type);
           return one;
         };
-        add_of_file("check", "List all faults with line, column and help", command_scene_check);
-        add_of_file("show", "Counts, widths and an estimate of the worst line", command_scene_show)
+        add_of_file("check", "SCENE", "List all faults with line, column and help",
+                    command_scene_check);
+        add_of_file("show", "SCENE", "Counts, widths and an estimate of the worst line",
+                    command_scene_show)
             ->add_flag("--json", options->json, "JSON on stdout instead of the text");
-        add_of_file("plan", "Draw rooms, portals and the camera's way", command_scene_plan)
+        add_of_file("plan", "SCENE", "Draw rooms, portals and the camera's way", command_scene_plan)
             ->add_option("-o,--output", options->picture, "Picture: FILE.png or FILE.svg")
             ->required()
             ->type_name("FILE")
             ->check(not_empty());
-        add_of_file("new", "Write a scene to start from", command_scene_new);
+        add_of_file("new", "FILE", "Write a scene to start from", command_scene_new);
         add_notes_options(*add("notes",
                                "Counters of some frames, and why the chip does not show the "
                                "ideal pictures",

@@ -59,8 +59,6 @@ std::vector<MapKind> maps_of(const std::vector<std::string>& overlays) {
   return maps;
 }
 
-constexpr const char* Compare = "compare";
-
 std::optional<GoldenTracer> tracer_of(const std::string& name) {
   if (name.empty() || name == Compare) return {};
   const auto& tracers = golden_tracer_names();

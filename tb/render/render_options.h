@@ -19,6 +19,9 @@
 
 namespace racebeam {
 
+/// Instead of a golden tracer: chip and tracers compared.
+constexpr const char* Compare = "compare";
+
 /// The command line as it was written. An empty path: not asked for.
 struct RenderOptions : RunOptions, TtOptions {
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;

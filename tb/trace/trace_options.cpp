@@ -16,7 +16,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr const char* Mismatch = "mismatch";
 constexpr int MostFramesAround = 10, MostDepth = 9;
 
 void check_range(const char* option, long long value, long long min, long long max) {

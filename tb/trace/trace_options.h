@@ -16,6 +16,9 @@
 
 namespace racebeam {
 
+/// Instead of a trigger of the chip: what a unit in lockstep finds.
+constexpr const char* Mismatch = "mismatch";
+
 /// The command line as it was written.
 /// `scene` may also be a waveform to draw; level tlm: transactions.
 struct TraceOptions : RunOptions, TtOptions {

@@ -18,7 +18,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr const char* All = "all";
 constexpr const char* Beside = "lockstep:";  ///< before a file
 
 /// Nothing but pins is set: racebeam_top has no parameters.
@@ -39,6 +38,11 @@ std::string checked(const std::string& plugin) {
 
 }  // namespace
 
+const std::vector<std::string>& own_implementations() {
+  static const std::vector<std::string> words = {"model", "rtl", "lockstep"};
+  return words;
+}
+
 UseOption::UseOption(const knobs& k, const scene_program* program, bool traced)
     : scene_file_(program != nullptr),
       wired_(!program && is_taped_out(k)),
@@ -55,7 +59,7 @@ void UseOption::check_unit(const std::string& unit) const {
                          (scene_file_ ? "a scene file has " : "the built-in demo has ") + here +
                          " in its place");
   }
-  known.push_back(All);
+  known.push_back(AllUnits);
   throw unknown_name("unit", unit, known);
 }
 
@@ -69,9 +73,11 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
     return {beside ? unit_choice::Model : unit_choice::Rtl, beside,
             checked(plugins_.users(unit, file, open))};
-  throw unknown_name("implementation", text,
-                     {"model", "rtl", "lockstep", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
-                      "FILE.so", "lockstep:FILE.sv"});
+  std::vector<std::string> known = own_implementations();
+  for (const char* file :
+       {"FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER", "FILE.so", "lockstep:FILE.sv"})
+    known.emplace_back(file);
+  throw unknown_name("implementation", text, known);
 }
 
 void UseOption::use_one(unit_choices& choices, const std::string& text) const {
@@ -81,7 +87,7 @@ void UseOption::use_one(unit_choices& choices, const std::string& text) const {
                      "' is not of the form UNIT=model, UNIT=rtl, UNIT=lockstep or "
                      "UNIT=FILE.sv");
   const std::string unit = text.substr(0, equals), how = text.substr(equals + 1);
-  if (unit != All) {
+  if (unit != AllUnits) {
     if (unit == WholeChip) check_whole_chip(how);
     else check_unit(unit);
     choices.by_unit[unit] = choice_of(unit, how);

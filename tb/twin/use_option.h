@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sc/base/unit_choices.h"
 #include "sc/beam/knobs.h"
@@ -12,6 +13,11 @@
 #include "tb/twin/plugin_maker.h"
 
 namespace racebeam {
+
+/// Instead of a unit: all of them.
+constexpr const char* AllUnits = "all";
+/// What a unit may be without a file.
+const std::vector<std::string>& own_implementations();
 
 /// Reads choices for one chip.
 class UseOption {

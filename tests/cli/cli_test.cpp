@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <set>
 
 #include "tb/program/command.h"
+#include "tb/program/value_words.h"
 #include "tests/cli/program.h"
 
 namespace racebeam {
@@ -96,6 +98,36 @@ TEST_F(CliTest, HelpIsAtMost100ColumnsWideAndNamesNoTypesOfAProgram) {
         EXPECT_THAT(line, Not(HasSubstr(type)));
     }
   }
+}
+
+TEST_F(CliTest, CompletionHasWordsForTypesOfTheHelpOnly) {
+  std::set<std::string> types = {"SHELL"};
+  const Reader reader;
+  for (const auto& [words, command] : reader.commands)
+    for (const CLI::Option* option : command->get_options()) types.insert(option->get_type_name());
+  for (const std::string& type : types_with_words()) {
+    EXPECT_EQ(types.count(type), 1u) << type;
+    EXPECT_THAT(value_words(type, "").words, Not(testing::IsEmpty())) << type;
+  }
+}
+
+TEST_F(CliTest, CompletionGoesOnWhereTheLineEnds) {
+  const auto complete = [&](Words words) {
+    words.insert(words.begin(), "--complete");
+    Program program(folder.path(), words);
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    return program.out();
+  };
+  EXPECT_EQ(complete({"rende"}), "render\tRender frames as files and statistics\n");
+  EXPECT_EQ(complete({"render", "--ever"}), "--every\tRender only every Nth frame\n");
+  EXPECT_EQ(complete({"render", "demo", "--frames", ""}), "") << "a number";
+  EXPECT_THAT(complete({"trace", "--diff", "a.vcd", ""}), StartsWith(":files"));
+  EXPECT_THAT(complete({"trace", "--diff", "a.vcd", "b.vcd", ""}), HasSubstr("house\t"));
+  EXPECT_EQ(complete({"bench", "--json", "level"}), "levels\t\n");
+  EXPECT_THAT(complete({"verify", "sta"}), AllOf(HasSubstr("stacks\t\n"), Not(HasSubstr(":"))));
+  EXPECT_EQ(complete({"verify", "stacks=m"}), ":files\n");
+  EXPECT_EQ(complete({"render", "-o", ""}), ":folders\n");
+  EXPECT_EQ(complete({}), "");
 }
 
 TEST_F(CliTest, VersionIsAlone) {
