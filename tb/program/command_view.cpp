@@ -8,13 +8,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
+#include "tb/base/project_folder.h"
 #include "tb/program/common_options.h"
 #include "tb/program/view_setting.h"
 #include "tb/program/view_tt.h"
@@ -23,8 +22,6 @@
 #include "tb/view/tlm_source.h"
 
 namespace racebeam {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -85,15 +82,8 @@ void start_again(const ViewOptions& options, const Viewer& viewer) {
   throw UsageError("the program cannot be started again with the changed scene");
 }
 
-// The demo in scenes/, beside the program's sources or where they are installed.
-Show demo_file() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const fs::path& folder : {program / "../share/racebeam", fs::path(RACEBEAM_ROOT)})
-    if (fs::exists(folder / "scenes/demo.toml", error))
-      return open_show((folder / "scenes/demo.toml").string());
-  throw UsageError("free flight needs a scene file, and scenes/demo.toml is not here");
-}
+// The demo as a scene file: free flight needs one.
+Show demo_file() { return open_show(project_folder() + "/scenes/demo.toml"); }
 
 std::string explain_of(const ViewOptions& options) {
   const bool plain = options.scene.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos;
