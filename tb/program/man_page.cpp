@@ -29,13 +29,22 @@ std::string plain(const std::string& text) {
   return out;
 }
 
-/// Text in lines of their own; none of them a request.
+/// Text that is filled, in lines that an editor shows; none of them a request.
 std::string lines(const std::string& text) {
-  std::string out;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);)
-    if (!line.empty()) out += (line[0] == '.' ? "\\&" : "") + plain(line) + "\n";
-  return out;
+  constexpr std::size_t Columns = 80;
+  std::string out, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    word = plain(word);
+    if (!line.empty() && line.size() + 1 + word.size() > Columns) {
+      out += line + "\n";
+      line.clear();
+    }
+    if (!line.empty()) line += " ";
+    else if (word[0] == '.') line = "\\&";
+    line += word;
+  }
+  return out + line + "\n";
 }
 
 std::string bold(const std::string& text) { return "\\fB" + plain(text) + "\\fR"; }
