@@ -62,7 +62,9 @@ function __racebeam_complete
     for line in ($words[1] --complete $words[2..] (commandline -ct) 2>/dev/null)
         switch $line
             case :files
-                __fish_complete_path (commandline -ct)
+                set -l before (string replace -r '[^=]*$' '' -- (commandline -ct))
+                set -l paths (__fish_complete_path (string replace -r '.*=' '' -- (commandline -ct)))
+                printf '%s\n' $before$paths
             case :folders
                 __fish_complete_directories (commandline -ct)
             case '*'
