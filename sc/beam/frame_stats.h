@@ -12,7 +12,7 @@ namespace racebeam {
 
 /// Counters of one frame. Unless said otherwise they cover the 480 visible lines and the clocks
 /// before line_done (contract section 19 defines each).
-struct FrameCounters {
+struct frame_counters {
   std::uint64_t clocks = 0;  ///< whole frame
   std::uint64_t left_decisions = 0, right_decisions = 0, bisection_steps = 0;
   std::uint64_t adjust_steps = 0;  ///< LEFT clocks in which dr2 still walks to i2
@@ -31,14 +31,14 @@ struct FrameCounters {
 };
 
 /// The same, and clocks of each visible line from its start.
-struct FrameStats : FrameCounters {
+struct frame_stats : frame_counters {
   std::vector<int> camera_clocks;  ///< first clock of the tracer
   std::vector<int> first_emit;     ///< first accepted interval; -1 if none
   std::vector<int> done_clock;     ///< first clock with line_done = 1; -1 if never
   std::vector<int> busy_clocks;    ///< tracer clocks before line_done
 
-  FrameCounters& counters() { return *this; }
-  const FrameCounters& counters() const { return *this; }
+  frame_counters& counters() { return *this; }
+  const frame_counters& counters() const { return *this; }
 };
 
 }  // namespace racebeam

@@ -14,7 +14,7 @@ bool is_decision(const chip_view& v) {
   return !returning && !v.second && !(v.state == StateLeft && v.idx2 != v.i2);
 }
 
-void StatsCollector::observe(const chip_view& v) {
+void stats_collector::observe(const chip_view& v) {
   ++stats_.clocks;
   if (line_clock_ == 0) visible_ = v.y >= FirstVisibleLine && v.y < FirstVisibleLine + VisibleRows;
   if (visible_) {
@@ -39,7 +39,7 @@ void StatsCollector::observe(const chip_view& v) {
 }
 
 // A clock of the tracer before line_done.
-void StatsCollector::observe_tracer(const chip_view& v) {
+void stats_collector::observe_tracer(const chip_view& v) {
   ++stats_.stack_depth[v.sd];
   const bool in_return = v.state == StateReturn;
   const bool stalled = v.emit && !v.ack;
@@ -63,6 +63,6 @@ void StatsCollector::observe_tracer(const chip_view& v) {
   else ++stats_.bisection_steps;
 }
 
-FrameStats StatsCollector::take() { return std::exchange(stats_, FrameStats{}); }
+frame_stats stats_collector::take() { return std::exchange(stats_, frame_stats{}); }
 
 }  // namespace racebeam

@@ -13,21 +13,21 @@ namespace racebeam {
 /// nor walks to the right end of its interval (contract 19).
 bool is_decision(const chip_view& v);
 
-class StatsCollector {
+class stats_collector {
  public:
   /// One clock, in order, from the first clock of a line on.
   void observe(const chip_view& v);
   /// The counters so far, to add what was counted otherwise: whole lines.
-  FrameStats& stats() { return stats_; }
+  frame_stats& stats() { return stats_; }
   /// The counters since the last call.
-  FrameStats take();
+  frame_stats take();
   /// The counters since the last call of take().
-  const FrameStats& so_far() const { return stats_; }
+  const frame_stats& so_far() const { return stats_; }
 
  private:
   void observe_tracer(const chip_view& v);
 
-  FrameStats stats_;
+  frame_stats stats_;
   int line_clock_ = 0;
   bool visible_ = false;
   int camera_clock_ = -1, first_emit_ = -1, done_clock_ = -1, busy_ = 0;

@@ -22,7 +22,7 @@ class ChipBench {
   struct Frame {
     int number;  ///< value of the frame counter while its lines are shown
     VgaFrame picture;
-    std::optional<FrameStats> stats;
+    std::optional<frame_stats> stats;
     std::vector<IntervalEvent> intervals{};  ///< if they were asked for
   };
 

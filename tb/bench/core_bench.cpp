@@ -31,7 +31,7 @@ CoreBench::Frame CoreBench::render() {
   all_pins.reserve(raster_.frame_clocks());
   Frame frame;
   frame.colours.reserve(VisibleColumns * VisibleRows);
-  StatsCollector collector;
+  stats_collector collector;
   chip_view view;
   run(FrameLines, &view, [&](int pins, bool visible) {
     all_pins.push_back(static_cast<std::uint8_t>(pins));

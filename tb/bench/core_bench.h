@@ -23,7 +23,7 @@ class CoreBench {
   struct Frame {
     std::vector<std::uint8_t> colours;  ///< 640 x 480, as a monitor samples them
     std::uint32_t pins_crc;             ///< of uo in all clocks
-    FrameStats stats;
+    frame_stats stats;
   };
   /// The next frame with all that is known of it.
   Frame render();

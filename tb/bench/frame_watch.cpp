@@ -23,7 +23,7 @@ void FrameWatch::clock(int uo, int frame) {
 }
 
 void FrameWatch::frame(std::vector<std::uint8_t> colours, std::vector<IntervalEvent> intervals,
-                       FrameStats stats, const chip_view& last) {
+                       frame_stats stats, const chip_view& last) {
   seen_ = raster_.frame_clocks();
   frame_ = last.frame;
   now_ = last;

@@ -25,7 +25,7 @@ class FrameWatch {
   /// A whole frame at once, before its first clock: its colours, 640 x 480; what its clocks would
   /// have told; the wires of its last clock.
   void frame(std::vector<std::uint8_t> colours, std::vector<IntervalEvent> intervals,
-             FrameStats stats, const chip_view& last);
+             frame_stats stats, const chip_view& last);
   /// The next clock is the first of a frame, wherever the last one was; the picture stays.
   void restart();
 
@@ -37,7 +37,7 @@ class FrameWatch {
   const BeamScreen& screen() const { return screen_; }
   /// Of the frame so far.
   const std::vector<IntervalEvent>& intervals() const { return watcher_.seen(); }
-  const FrameStats& stats() const { return collector_.so_far(); }
+  const frame_stats& stats() const { return collector_.so_far(); }
   /// The wires of the last clock.
   const chip_view& now() const { return now_; }
   /// Number of the frame at the beam.
@@ -48,7 +48,7 @@ class FrameWatch {
 
   const Raster raster_;
   BeamScreen screen_;
-  StatsCollector collector_;
+  stats_collector collector_;
   IntervalWatcher watcher_;
   chip_view now_{};
   int seen_ = 0, frame_ = 0;

@@ -39,7 +39,7 @@ class StatsProbe : public sc_core::sc_module {
     sensitive << clk_i.pos();
     dont_initialize();
   }
-  FrameStats take() { return collector_.take(); }
+  frame_stats take() { return collector_.take(); }
   std::vector<IntervalEvent> take_intervals() { return watcher_.take(); }
 
  private:
@@ -57,7 +57,7 @@ class StatsProbe : public sc_core::sc_module {
   const chip& dut_;
   const bool stats_, intervals_;
   FrameWatch* const watch_;
-  StatsCollector collector_;
+  stats_collector collector_;
   IntervalWatcher watcher_;
   bool in_reset_ = true;  // the first edge
 };

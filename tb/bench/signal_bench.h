@@ -19,7 +19,7 @@ class SignalBench final : public ChipBench {
  public:
   struct Options {
     knobs k;
-    bool stats = false;  ///< collect FrameStats
+    bool stats = false;  ///< collect frame_stats
     bool crc = false;    ///< compute the CRCs of VgaFrame
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.

@@ -24,7 +24,7 @@ struct PictureFile {
 struct RenderedFrame {
   int number = 0;
   VgaFrame picture;
-  FrameStats stats;
+  frame_stats stats;
   std::optional<GoldenCounts> golden;  ///< if it was compared
   std::vector<PictureFile> files;
 

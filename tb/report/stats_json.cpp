@@ -49,10 +49,10 @@ void put_lines(Json& to, const LineSpreads& lines, bool whole_run) {
   busy["worst_line"] = lines.worst_line;
 }
 
-void put_stats(Json& to, const FrameStats& stats, const knobs& k) {
+void put_stats(Json& to, const frame_stats& stats, const knobs& k) {
   for (const auto& [name, member] : counter_table()) {
     to[name] = stats.*member;
-    if (member == &FrameStats::clocks) to["decisions"] = stats.decisions();
+    if (member == &frame_stats::clocks) to["decisions"] = stats.decisions();
   }
   to["fifo_fill"] = json_of(stats.fifo_fill, k.fifo_entries);
   to["stack_depth"] = json_of(stats.stack_depth, k.interval_stack_depth);
@@ -60,7 +60,7 @@ void put_stats(Json& to, const FrameStats& stats, const knobs& k) {
 
 }  // namespace
 
-void LineSpreads::add(int frame, const FrameStats& stats) {
+void LineSpreads::add(int frame, const frame_stats& stats) {
   const auto add_known = [](Spread& spread, const std::vector<int>& values) {
     int unknown = 0;
     for (const int value : values) {
@@ -84,7 +84,7 @@ void LineSpreads::add(int frame, const FrameStats& stats) {
 StatsReport::StatsReport(std::string scene, std::string level, const knobs& k)
     : scene_(std::move(scene)), level_(std::move(level)), knobs_(k) {}
 
-void StatsReport::add(int frame, const std::string& part, const FrameStats& stats,
+void StatsReport::add(int frame, const std::string& part, const frame_stats& stats,
                       const VgaFrame& picture, bool crc,
                       const std::optional<GoldenCounts>& golden) {
   LineSpreads lines;

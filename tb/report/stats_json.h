@@ -28,7 +28,7 @@ struct LineSpreads {
   int lines_without_emit = 0, lines_not_done = 0;
   int worst_frame = 0, worst_line = 0, worst_busy = -1;  ///< the line with most busy clocks
 
-  void add(int frame, const FrameStats& stats);
+  void add(int frame, const frame_stats& stats);
 };
 
 class StatsReport {
@@ -36,7 +36,7 @@ class StatsReport {
   StatsReport(std::string scene, std::string level, const knobs& k);
 
   /// Adds a whole frame; with its CRCs if `crc`, with its comparison if there is one.
-  void add(int frame, const std::string& part, const FrameStats& stats, const VgaFrame& picture,
+  void add(int frame, const std::string& part, const frame_stats& stats, const VgaFrame& picture,
            bool crc, const std::optional<GoldenCounts>& golden = {});
   /// The whole document; one line per frame. `against`: the comparison with a reference as JSON, if
   /// there was one.
@@ -44,7 +44,7 @@ class StatsReport {
 
   int frames() const { return static_cast<int>(frames_.size()); }
   /// The sums of all counters; without what is kept per line.
-  const FrameStats& sums() const { return sums_; }
+  const frame_stats& sums() const { return sums_; }
   /// The sums of the comparisons, if there were any.
   const std::optional<GoldenCounts>& golden() const { return golden_; }
   std::uint64_t busy_clocks() const { return lines_.busy_clocks.sum(); }
@@ -53,7 +53,7 @@ class StatsReport {
   const std::string scene_, level_;
   const knobs knobs_;
   std::vector<std::string> frames_;  // JSON texts
-  FrameStats sums_;
+  frame_stats sums_;
   LineSpreads lines_;
   std::optional<GoldenCounts> golden_;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* Row = "{:>5}  {:<32} {:>10} {:>10} {:>8} {:>14} {:>11} {:>11}";
 
-std::string row(const std::string& frame, const std::string& part, const FrameStats& stats,
+std::string row(const std::string& frame, const std::string& part, const frame_stats& stats,
                 std::uint64_t busy_clocks) {
   return fmt::format(Row, frame, part, stats.decisions(), stats.bisection_steps, stats.restarts,
                      stats.starved_pixels, stats.fifo_full_stalls, busy_clocks);
@@ -33,7 +33,7 @@ std::string table_header(bool crc, bool golden) {
          (crc ? "  image    pins\n" : "\n");
 }
 
-std::string table_row(int frame, const std::string& part, const FrameStats& stats,
+std::string table_row(int frame, const std::string& part, const frame_stats& stats,
                       const VgaFrame& picture, bool crc,
                       const std::optional<GoldenCounts>& golden) {
   const std::uint64_t busy =

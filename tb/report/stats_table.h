@@ -16,7 +16,7 @@ namespace racebeam {
 /// Titles of the columns; with the CRCs if `crc`, with the pixels that differ from trace_4 if
 /// `golden`.
 std::string table_header(bool crc, bool golden = false);
-std::string table_row(int frame, const std::string& part, const FrameStats& stats,
+std::string table_row(int frame, const std::string& part, const frame_stats& stats,
                       const VgaFrame& picture, bool crc,
                       const std::optional<GoldenCounts>& golden = {});
 /// The sums over all frames.

@@ -13,7 +13,7 @@ double FrameSource::clock_hz() const {
 }
 
 FrameSource::Rows FrameSource::rows() const {
-  const FrameStats& s = watch().stats();
+  const frame_stats& s = watch().stats();
   const auto count = [](std::uint64_t value) { return std::to_string(value); };
   return {{"decisions", count(s.decisions())},
           {"bisections", count(s.bisection_steps)},

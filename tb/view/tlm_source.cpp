@@ -39,7 +39,7 @@ void TlmSource::run_frame() {
     if (lines_->visible())
       colours.insert(colours.end(), lines_->pixels().begin(), lines_->pixels().end());
   }
-  FrameStats stats = lines_->take_stats();
+  frame_stats stats = lines_->take_stats();
   chip_view last;
   for (int clock = 0; clock < lines_->line_clocks(); ++clock) chip().clock(true, now_, &last);
   stats.clocks += static_cast<std::uint64_t>(lines_->line_clocks());

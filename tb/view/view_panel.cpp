@@ -75,7 +75,7 @@ void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, con
   }
   if (state.gauges) {
     const chip_view& now = watch.now();
-    const FrameStats& stats = watch.stats();
+    const frame_stats& stats = watch.stats();
     const int bar = bar_height(top);
     top = paint_gauge(picture, top, bar, "FIFO entries", stats.fifo_fill, k.fifo_entries, now.fill,
                       now.starving);

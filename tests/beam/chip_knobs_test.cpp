@@ -43,13 +43,13 @@ INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs,
                                          "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7"));
 
 /// Statistics of a frame with one knob changed.
-FrameStats with(const char* setting, int frame = CrowdedFrame) {
+frame_stats with(const char* setting, int frame = CrowdedFrame) {
   knobs k;
   set_knob(k, setting);
   return CoreBench(k, frame).render().stats;
 }
-const FrameStats& chip() {
-  static const FrameStats stats = with("speed=0");
+const frame_stats& chip() {
+  static const frame_stats stats = with("speed=0");
   return stats;
 }
 
@@ -84,7 +84,7 @@ TEST(KnobEffects, WithoutHurryNothingIsGivenUpAndMorePixelsStarve) {
 }
 
 TEST(KnobEffects, SkippingSharedEdgesSavesDecisionsAndLetsNothingStarve) {
-  const FrameStats s = with("skip_shared_edges=on");
+  const frame_stats s = with("skip_shared_edges=on");
   EXPECT_LT(s.decisions(), chip().decisions() * 3 / 4);
   EXPECT_LT(s.starved_pixels, chip().starved_pixels / 100);
 }

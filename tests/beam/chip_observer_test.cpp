@@ -58,7 +58,7 @@ class ChipObserved : public testing::TestWithParam<int> {
   Witness witness;
   chip_lines chip;
   std::vector<std::uint8_t> picture;
-  FrameStats stats;
+  frame_stats stats;
 };
 
 INSTANTIATE_TEST_SUITE_P(Frames, ChipObserved, testing::Values(1000, 2600, 3900, 7223, 8980));

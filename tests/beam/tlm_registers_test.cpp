@@ -40,7 +40,7 @@ TEST_F(TlmRegisters, ShowsTheStatisticsOfTheLastWholeFrame) {
   chip.deposit(7223);
   run_frames(1);
   sc_core::sc_start(100 * LineTime);  // into the next
-  const FrameStats want = CoreBench({}, 7223).render().stats;
+  const frame_stats want = CoreBench({}, 7223).render().stats;
   for (std::size_t i = 0; i < counter_table().size(); ++i)
     EXPECT_EQ(host.read_64(RegisterCounters + 8 * i), want.*counter_table()[i].member)
         << counter_table()[i].name;

@@ -41,7 +41,7 @@ struct Chip : chip_core {
 };
 
 /// What is counted in a frame.
-FrameStats counted(int frame) {
+frame_stats counted(int frame) {
   chip_lines lines({});
   lines.deposit(frame);
   lines.run_line();
@@ -230,7 +230,7 @@ TEST(ContractTables, TheTimeline) {
 TEST(ContractTables, CountersOfSingleFrames) {
   for (const auto& row : rows("### 19.1")) {
     const int frame = std::stoi(row[0]);
-    const FrameStats s = counted(frame);
+    const frame_stats s = counted(frame);
     const std::uint64_t counters[] = {
         s.left_decisions, s.right_decisions,  s.bisection_steps, s.adjust_steps,
         s.descents,       s.pushes,           s.emits,           s.give_ups,

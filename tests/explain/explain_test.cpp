@@ -24,7 +24,7 @@ struct ToldFrame {
   struct Line {
     LineStory story;
     std::array<std::uint8_t, VisibleColumns> pixels;
-    FrameStats stats;
+    frame_stats stats;
     std::vector<IntervalEvent> events;
   };
   std::vector<Line> lines;
@@ -40,7 +40,7 @@ struct ToldFrame {
     LineWatcher watcher(told.registers(), k);
     for (int y = FirstLine; y < FirstVisibleLine + VisibleRows; ++y) {
       other.run_line();
-      FrameStats stats = other.take_stats();
+      frame_stats stats = other.take_stats();
       std::vector<IntervalEvent> events = log.take();
       if (other.visible())
         lines.push_back({watcher.watch(columns), other.pixels(), std::move(stats), events});
@@ -86,7 +86,7 @@ TEST_P(LineStoryOfFrame, StepsAddUpToTheCountersOfTheLine) {
       emits += interval.known();
       give_ups += interval.end == IntervalEnd::GivenUp;
     }
-    const FrameCounters& of_chip = line.stats.counters();
+    const frame_counters& of_chip = line.stats.counters();
     const auto of = [](int sum) { return static_cast<std::uint64_t>(sum); };
     ASSERT_EQ(of(sums.left), of_chip.left_decisions) << line.story.y;
     ASSERT_EQ(of(sums.right), of_chip.right_decisions) << line.story.y;

@@ -11,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-FrameStats frame_of(std::vector<int> busy) {
-  FrameStats stats;
+frame_stats frame_of(std::vector<int> busy) {
+  frame_stats stats;
   stats.clocks = 840'000;
   stats.left_decisions = 5;
   stats.right_decisions = 3;

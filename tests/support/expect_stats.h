@@ -10,7 +10,7 @@
 
 namespace racebeam {
 
-inline void expect_equal(const FrameStats& a, const FrameStats& b) {
+inline void expect_equal(const frame_stats& a, const frame_stats& b) {
   EXPECT_EQ(a.clocks, b.clocks);
   EXPECT_EQ(a.decisions(), b.decisions());
   EXPECT_EQ(a.adjust_steps, b.adjust_steps);

@@ -24,7 +24,7 @@ struct WatchedFrame {
   static constexpr int Late = 1 << 20;  // slack of a pixel that was never known: minus this
 
   std::vector<IntervalEvent> events;
-  FrameStats stats;
+  frame_stats stats;
   std::vector<int> slack, depth;   // 640 x 480, by column
   std::vector<bool> starved;       // the same, from the FIFO's own flag
   std::vector<int> columns_known;  // of a line, so far: clock
@@ -34,7 +34,7 @@ struct WatchedFrame {
     chip_core chip;
     chip.clock(false, k);
     chip.deposit(number, k);
-    StatsCollector collector;
+    stats_collector collector;
     IntervalWatcher watcher;
     int clock = 0;
     std::vector<int> shown;

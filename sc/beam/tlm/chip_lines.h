@@ -64,7 +64,7 @@ class chip_lines {
   const std::vector<pwm_change>& sound() const { return sound_changes_; }
 
   /// The counters since the last call.
-  FrameStats take_stats() { return collector_.take(); }
+  frame_stats take_stats() { return collector_.take(); }
   /// All registers; pwm_sound's only if the sound is wanted.
   const chip_core& registers() const { return chip_; }
   /// The same, to clock them one by one or to write them; the next run_line() must find them at the
@@ -99,7 +99,7 @@ class chip_lines {
   std::array<std::uint8_t, VisibleColumns> pixels_{};
   std::vector<std::uint8_t> pins_;
   std::vector<pwm_change> sound_changes_;
-  StatsCollector collector_;
+  stats_collector collector_;
   int column_ = 0;                     // next column to be shown
   int decisions_ = 0;                  // of this line
   bool given_up_ = false;              // what is on offer has no wall

@@ -128,7 +128,7 @@ line_counts chip_lines::trace(const line_setting& line, int clock) {
 
 // The clock in which the line ends: all units.
 void chip_lines::last_clock() {
-  FrameStats& stats = collector_.stats();
+  frame_stats& stats = collector_.stats();
   const auto& fifo = chip_.interval_fifo;
   const int fill = fifo.fill(knobs_);
   const bool starving = fifo.starving(knobs_);
@@ -143,7 +143,7 @@ void chip_lines::last_clock() {
 }
 
 void chip_lines::count(const line_counts& c) {
-  FrameStats& to = collector_.stats();
+  frame_stats& to = collector_.stats();
   to.clocks += raster_.size();
   if (!visible_) return;
   to.left_decisions += c.left;

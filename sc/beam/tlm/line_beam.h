@@ -28,7 +28,7 @@ class line_beam {
     int y;
     std::uint8_t* row;            ///< 640 pixels in the colours of the display indices
     const std::uint8_t* colours;  ///< 4
-    FrameStats* stats;
+    frame_stats* stats;
     chip_observer* observer;
     std::uint8_t* indices;  ///< display index of every clock
   };

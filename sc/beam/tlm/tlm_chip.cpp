@@ -198,21 +198,21 @@ tlm_chip::word tlm_chip::read_stats(std::uint64_t address) const {
 
 const std::vector<counter_info>& counter_table() {
   static const std::vector<counter_info> table = {
-      {"clocks", &FrameStats::clocks},
-      {"left_decisions", &FrameStats::left_decisions},
-      {"right_decisions", &FrameStats::right_decisions},
-      {"bisection_steps", &FrameStats::bisection_steps},
-      {"adjust_steps", &FrameStats::adjust_steps},
-      {"descents", &FrameStats::descents},
-      {"pushes", &FrameStats::pushes},
-      {"returns", &FrameStats::returns},
-      {"return_clocks", &FrameStats::return_clocks},
-      {"emits", &FrameStats::emits},
-      {"restarts", &FrameStats::restarts},
-      {"starved_pixels", &FrameStats::starved_pixels},
-      {"give_ups", &FrameStats::give_ups},
-      {"fifo_full_stalls", &FrameStats::fifo_full_stalls},
-      {"rooms_entered", &FrameStats::rooms_entered},
+      {"clocks", &frame_stats::clocks},
+      {"left_decisions", &frame_stats::left_decisions},
+      {"right_decisions", &frame_stats::right_decisions},
+      {"bisection_steps", &frame_stats::bisection_steps},
+      {"adjust_steps", &frame_stats::adjust_steps},
+      {"descents", &frame_stats::descents},
+      {"pushes", &frame_stats::pushes},
+      {"returns", &frame_stats::returns},
+      {"return_clocks", &frame_stats::return_clocks},
+      {"emits", &frame_stats::emits},
+      {"restarts", &frame_stats::restarts},
+      {"starved_pixels", &frame_stats::starved_pixels},
+      {"give_ups", &frame_stats::give_ups},
+      {"fifo_full_stalls", &frame_stats::fifo_full_stalls},
+      {"rooms_entered", &frame_stats::rooms_entered},
   };
   return table;
 }

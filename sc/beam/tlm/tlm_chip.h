@@ -44,7 +44,7 @@ class tlm_chip : public sc_core::sc_module {
   /// Puts the demo to the start of a frame (back door, between frames).
   void deposit(int frame);
   /// The counters of the last whole frame (back door).
-  const FrameStats& stats() const { return stats_; }
+  const frame_stats& stats() const { return stats_; }
   /// Clocks of lines and resets since the start.
   std::uint64_t clocks() const { return clocks_; }
   const chip_lines& lines() const { return lines_; }
@@ -71,7 +71,7 @@ class tlm_chip : public sc_core::sc_module {
   chip_lines lines_;
   tlm_utils::tlm_quantumkeeper quantum_;
   tlm::tlm_generic_payload payload_;
-  FrameStats stats_;
+  frame_stats stats_;
   std::uint64_t clocks_ = 0;
   std::uint32_t frames_ = 0;
   bool reset_ = false;  // before the next line

@@ -40,19 +40,19 @@ enum register_address : std::uint64_t {
   RegisterKnobs = 0x100,       ///< a word each, signed, in the order of knob_table()
   // Of the last whole frame; 0 before. 64 bits each, or words per visible line.
   RegisterCounters = 0x200,       ///< in the order of counter_table()
-  RegisterFifoFill = 0x400,       ///< FrameStats::fifo_fill
-  RegisterStackDepth = 0x800,     ///< FrameStats::stack_depth
-  RegisterCameraClocks = 0x1000,  ///< FrameStats::camera_clocks
-  RegisterFirstEmit = 0x1800,     ///< FrameStats::first_emit
-  RegisterDoneClock = 0x2000,     ///< FrameStats::done_clock
-  RegisterBusyClocks = 0x2800,    ///< FrameStats::busy_clocks
+  RegisterFifoFill = 0x400,       ///< frame_stats::fifo_fill
+  RegisterStackDepth = 0x800,     ///< frame_stats::stack_depth
+  RegisterCameraClocks = 0x1000,  ///< frame_stats::camera_clocks
+  RegisterFirstEmit = 0x1800,     ///< frame_stats::first_emit
+  RegisterDoneClock = 0x2000,     ///< frame_stats::done_clock
+  RegisterBusyClocks = 0x2800,    ///< frame_stats::busy_clocks
 };
 constexpr std::uint32_t RegisterIdValue = 0x6d616562;  // "beam"
 
-/// A counter of FrameStats.
+/// A counter of frame_stats.
 struct counter_info {
   const char* name;
-  std::uint64_t FrameStats::*member;
+  std::uint64_t frame_stats::*member;
 };
 const std::vector<counter_info>& counter_table();
 
