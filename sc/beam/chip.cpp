@@ -5,7 +5,9 @@
 #include <type_traits>
 
 #include "sc/beam/chip_core.h"
+#include "sc/beam/counters.h"
 #include "sc/beam/knob_parameters.h"
+#include "sc/beam/units.h"
 #include "sc/swap/rtl_twin.h"
 
 namespace racebeam {
@@ -26,9 +28,14 @@ std::unique_ptr<typename Unit::pins> make(const unit_choices& choices, const cha
 
 }  // namespace
 
+struct chip::strap_wires {
+  wire<3> speed{"speed"};
+  wire<1> no_interlace{"no_interlace"};
+};
+
 chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program,
            const unit_choices& choices)
-    : sc_module(name),
+    : wired_chip(name),
       u_vga_timing(make<vga_timing>(choices, "u_vga_timing", k, k.clocks_per_pixel)),
       u_sequencer(program ? make<timeline>(choices, "u_sequencer", k, *program)
                           : make<sequencer>(choices, "u_sequencer", k)),
@@ -337,10 +344,45 @@ chip_view chip::view() const {
           number(fill)};
 }
 
+chip::~chip() = default;
+
+void chip::connect(const wired_chip::pins& bench) {
+  straps_ = std::make_unique<strap_wires>();
+  clk_i(bench.clk);
+  rst_ni(bench.rst_n);
+  speed_i(straps_->speed);
+  no_interlace_i(straps_->no_interlace);
+  uo_o(bench.uo);
+  pwm_o(bench.pwm);
+}
+
+void chip::set_pins() {
+  straps_->speed.write(knobs_.speed);
+  straps_->no_interlace.write(!knobs_.interlace);
+}
+
+frame_counts chip::take_counts() { return counted(collector_.take()); }
+
 void chip::deposit(int to) {
   u_sequencer->deposit(to);
   const navigator_core place = fly_to(to, knobs_, program_);
   u_navigator->deposit(place.position_q, place.room_q);
+}
+
+// Of the whole chip in RTL x and y are stored without the six bits that a flight along z keeps, of
+// the room only its j.
+void chip::deposit_beside(const std::string& unit, rtl_instance& rtl, int to) const {
+  const bool whole = unit == WholeChip;
+  const std::string instance = whole ? "" : instance_of(unit);
+  if (instance == "u_sequencer") rtl.seek(to);
+  if (!whole && instance != "u_navigator") return;
+  const navigator_core place = fly_to(to, knobs_, program_);
+  if (!whole) return rtl.place(place.position_q, place.room_q);
+  rtl.deposit("u_sequencer.frame_q", to);
+  rtl.deposit("u_navigator.g_along_z.position_x_q", place.position_q[0] >> 6);
+  rtl.deposit("u_navigator.g_along_z.position_y_q", place.position_q[1] >> 6);
+  rtl.deposit("u_navigator.g_along_z.position_z_q", place.position_q[2]);
+  rtl.deposit("u_navigator.g_along_z.room_j_q", place.room_q >> 4);
 }
 
 }  // namespace racebeam

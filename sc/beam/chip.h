@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "sc/base/unit_choices.h"
+#include "sc/base/wired_chip.h"
 #include "sc/beam/camera_unit.h"
 #include "sc/beam/chip_view.h"
 #include "sc/beam/decision_datapath.h"
@@ -21,13 +22,14 @@
 #include "sc/beam/ray_stepper.h"
 #include "sc/beam/scene_rom.h"
 #include "sc/beam/stacks.h"
+#include "sc/beam/stats_collector.h"
 #include "sc/beam/subdivider.h"
 #include "sc/beam/timeline.h"
 #include "sc/video/vga_timing.h"
 
 namespace racebeam {
 
-class chip : public sc_core::sc_module {
+class chip final : public wired_chip {
  public:
   // Pins
   in_port<1> clk_i{"clk_i"};
@@ -41,11 +43,17 @@ class chip : public sc_core::sc_module {
   /// RtlError if RTL that `choices` names does not fit.
   chip(const sc_core::sc_module_name& name, const knobs& k, const scene_program* program = nullptr,
        const unit_choices& choices = {});
+  ~chip() override;
 
   /// The wires of the present clock, settled if called at its end.
   chip_view view() const;
-  /// Puts the demo to the start of `frame` (back door; in the first clock of a frame).
-  void deposit(int to);
+
+  void connect(const wired_chip::pins& bench) override;
+  void set_pins() override;
+  void deposit(int to) override;
+  void deposit_beside(const std::string& unit, rtl_instance& rtl, int to) const override;
+  void count() override { collector_.observe(view()); }
+  frame_counts take_counts() override;
 
   // vga_timing
   wire<11> x2{"x2"};
@@ -138,6 +146,9 @@ class chip : public sc_core::sc_module {
 
   const knobs knobs_;
   const scene_program* const program_;
+  struct strap_wires;
+  std::unique_ptr<strap_wires> straps_;  // pins that hold knobs
+  stats_collector collector_;
 };
 
 }  // namespace racebeam

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sc/base/constants.h"
+#include "sc/base/engine.h"
 #include "sc/base/fixed_point.h"
 #include "sc/beam/knobs.h"
 
@@ -65,7 +66,7 @@ struct program_knobs {
   }
 };
 
-struct scene_program : program_knobs {
+struct scene_program : scene_tables, program_knobs {
   std::vector<room_row> rooms;
   std::vector<shot_row> shots;  ///< by frame; the first at 0
   int frames = 0;               ///< then it starts again

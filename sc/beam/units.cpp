@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/beam/units.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <type_traits>
 
 #include "sc/beam/chip.h"
+#include "sc/beam/engine.h"
 
 namespace racebeam {
 
@@ -14,7 +14,8 @@ namespace {
 
 template <class Unit>
 std::unique_ptr<sc_core::sc_module> make(const char* instance, const knobs& k,
-                                         const scene_program* program) {
+                                         const scene_tables* scene) {
+  const auto* program = static_cast<const scene_program*>(scene);
   if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const scene_program&>)
     return std::make_unique<Unit>(instance, k, *program);
   else if constexpr (std::is_constructible_v<Unit, const char*, const scene_program&>)
@@ -58,23 +59,14 @@ const std::vector<unit_row>& unit_table() {
 }
 
 const unit_row& unit_named(const std::string& name) {
-  const auto& table = unit_table();
-  const auto at = std::find_if(table.begin(), table.end(),
-                               [&](const unit_row& row) { return row.name == name; });
-  if (at == table.end()) throw std::out_of_range("there is no unit " + name);
-  return *at;
+  if (const unit_row* row = beam_engine().unit(name)) return *row;
+  throw std::out_of_range("there is no unit " + name);
 }
 
 std::vector<std::string> chip_units(bool scene_file) {
-  std::vector<std::string> units;
-  for (const unit_row& row : unit_table())
-    if (row.shows == unit_row::Always || (row.shows == unit_row::SceneFile) == scene_file)
-      units.push_back(row.name);
-  return units;
+  return beam_engine().unit_names(scene_file);
 }
 
-std::string instance_of(const std::string& unit) {
-  return std::string("u_") + unit_named(unit).slot;
-}
+std::string instance_of(const std::string& unit) { return unit_named(unit).instance(); }
 
 }  // namespace racebeam

@@ -4,26 +4,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <string>
-#include <systemc>
 #include <vector>
 
-#include "sc/beam/knobs.h"
+#include "sc/base/engine.h"
 
 namespace racebeam {
-
-struct scene_program;
-
-struct unit_row {
-  enum use { Always, Demo, SceneFile };  // timeline and scene_rom show scene files
-  const char* name;
-  const char* slot;  ///< the place in the chip: another unit's name for timeline and scene_rom
-  use shows;
-  /// The model; `program` is not looked at by units that show any chip.
-  std::unique_ptr<sc_core::sc_module> (*make)(const char* instance, const knobs& k,
-                                              const scene_program* program);
-};
 
 /// In the order of the contract.
 const std::vector<unit_row>& unit_table();

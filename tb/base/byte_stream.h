@@ -21,9 +21,11 @@ class ByteWriter {
   }
   template <class T>
   void put(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
     put(values.size());
-    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    if constexpr (std::is_trivially_copyable_v<T>)
+      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    else
+      for (const T& value : values) put(value);
   }
   void put(const std::string& text) {
     put(text.size());
@@ -51,8 +53,12 @@ class ByteReader {
     std::size_t size = 0;
     get(size);
     values.resize(size);
-    std::memcpy(values.data(), at_, size * sizeof(T));
-    at_ += size * sizeof(T);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      std::memcpy(values.data(), at_, size * sizeof(T));
+      at_ += size * sizeof(T);
+    } else {
+      for (T& value : values) get(value);
+    }
   }
   void get(std::string& text) {
     std::size_t size = 0;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "sc/beam/frame_stats.h"
+#include "sc/base/frame_counts.h"
 #include "tb/bench/interval_event.h"
 #include "tb/monitor/sound_monitor.h"
 #include "tb/monitor/vga_monitor.h"
@@ -22,7 +22,7 @@ class ChipBench {
   struct Frame {
     int number;  ///< value of the frame counter while its lines are shown
     VgaFrame picture;
-    std::optional<frame_stats> stats;
+    std::optional<frame_counts> stats;       ///< if they were asked for
     std::vector<IntervalEvent> intervals{};  ///< if they were asked for
   };
 

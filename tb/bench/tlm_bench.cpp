@@ -135,7 +135,7 @@ TlmBench::Frame TlmBench::render() {
   Platform& p = *platform_;
   sc_core::sc_start(p.frame_time);
   Frame frame{p.next_frame, p.screen.picture(), {}};
-  if (p.options.stats) frame.stats = p.dut.stats();
+  if (p.options.stats) frame.stats = counted(p.dut.stats());
   frame.intervals = p.log.take();
   p.next_frame = p.dut.lines().next_frame();
   return frame;

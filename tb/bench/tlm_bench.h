@@ -15,7 +15,7 @@ class TlmBench final : public ChipBench {
  public:
   struct Options {
     knobs k;
-    bool stats = false;  ///< collect frame_stats
+    bool stats = false;  ///< count
     bool crc = false;    ///< compute the CRCs of VgaFrame; the pins are then checked as well
     bool sound = false;  ///< listen to the PWM pin
     /// Instead of the built-in demo; must outlive the bench and fit the knobs.

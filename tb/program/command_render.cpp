@@ -35,9 +35,9 @@ namespace {
 void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* sound,
                    RenderFiles& files, StatsReport& report, Against& against) {
   Progress progress(plan.frames);
-  std::uint64_t clocks = 0;
+  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
   progress.draw(0, 0);
-  if (!plan.json) print(table_header(plan.crc, plan.compare));
+  if (!plan.json) print(table_header(plan.show.engine(), plan.crc, plan.compare));
   for (int i = 0; i < plan.frames && !interrupted(); ++i) {
     const std::optional<RenderedFrame> frame = frames.next();
     if (!frame) break;
@@ -48,8 +48,9 @@ void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* so
     report.add(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden);
     progress.clear();
     if (!plan.json)
-      print(table_row(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden));
-    progress.draw(i + 1, clocks += frame->stats.clocks);
+      print(table_row(plan.show.engine(), frame->number, part, frame->stats, frame->picture,
+                      plan.crc, frame->golden));
+    progress.draw(i + 1, (i + 1LL) * raster.frame_clocks());
   }
 }
 
@@ -100,7 +101,7 @@ int command_render(const RenderOptions& options) {
     return [chip](int index) { return chip->render(index); };
   });
   Against against(plan.against);
-  StatsReport report(plan.show.name(), plan.level, plan.k);
+  StatsReport report(plan.show.engine(), plan.show.name(), plan.level, plan.k);
   files.run(
       [&] {
         render_frames(plan, frames, track ? &*track : nullptr, files, report, against);

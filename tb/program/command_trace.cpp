@@ -64,7 +64,7 @@ std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWin
 }
 
 /// Runs the chip until something happens.
-int watch(const TraceOptions& options, const TraceWindowReader& reader, SignalBench& bench,
+int watch(const TraceOptions& options, const TraceWindowReader& reader, WiredBench& bench,
           const Raster& raster, const WindowWriter& writer) {
   const TraceWindow where = options.searched(reader);
   const std::int64_t first = where.from.ordinal(raster), before = options.clocks_before(raster);
@@ -127,10 +127,7 @@ int command_trace(const TraceOptions& options) {
   use_units(run, options.units, true);
   if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
-  SignalBench::Options setting{run.k};
-  setting.program = run.show.program();
-  setting.units = run.units;
-  SignalBench bench(setting);
+  WiredBench bench({run.show.engine(), run.k, run.show.program(), run.show.frames(), run.units});
   if (!window) return watch(options, reader, bench, raster, writer);
   TraceRun traced(bench, raster, window->from.frame);
   return writer.write(traced, *window);

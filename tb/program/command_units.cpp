@@ -12,7 +12,7 @@
 #include "sc/beam/units.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
-#include "tb/verilate/project_folder.h"
+#include "tb/base/project_folder.h"
 
 namespace racebeam {
 

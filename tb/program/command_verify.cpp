@@ -10,14 +10,13 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "sc/beam/units.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
 #include "tb/base/progress.h"
-#include "tb/bench/signal_bench.h"
+#include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
 #include "tb/program/verify_report.h"
 #include "tb/program/verify_unit.h"
@@ -33,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool all_differ(const SignalBench& bench) {
+bool all_differ(const WiredBench& bench) {
   const auto units = bench.locksteps();
   return std::all_of(units.begin(), units.end(),
                      [](auto* unit) { return unit->first() || unit->fault(); });
@@ -66,7 +65,9 @@ std::string closer_text(const VerifyOptions& options, const std::string& unit, i
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
                                         const knobs& k, const unit_choices& choices) {
   const auto start = std::chrono::steady_clock::now();
-  SignalBench bench({k, false, false, false, show.program(), choices, false, nullptr, true});
+  WiredBench::Watches watches;
+  watches.outlive_faults = true;
+  WiredBench bench({show.engine(), k, show.program(), show.frames(), choices}, watches);
   const Raster raster(k.clocks_per_pixel, k.speed);
   std::vector<int> frames;
   Progress progress(static_cast<int>(options.frames));
@@ -129,7 +130,8 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
   std::vector<UnitVerdict> verdicts;
   std::uint64_t all = 0, done = 0;  // clocks
   for (const auto& [unit, choice] : choices.by_unit)
-    if (unit != WholeChip) all += walk_clocks(unit) + static_cast<std::uint64_t>(options.random);
+    if (unit != show.engine().top)
+      all += walk_clocks(unit) + static_cast<std::uint64_t>(options.random);
   Progress progress(static_cast<std::int64_t>(all), "clocks of units alone");
   const auto verify = [&](const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks) {
     const auto draw = [&](std::uint64_t compared) {
@@ -141,7 +143,7 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
     done += clocks;
   };
   for (const auto& [unit, choice] : choices.by_unit) {
-    if (unit == WholeChip) continue;  // the whole chip has its own traffic only
+    if (unit == show.engine().top) continue;  // the whole chip has its own traffic only
     const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
     try {
       if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
@@ -170,7 +172,7 @@ Run plan_verify(const VerifyOptions& options) {
 
 int command_verify(const VerifyOptions& options) {
   auto [show, level, k, choices] = plan_verify(options);
-  const UseOption use(k, show.program());
+  const UseOption use(show.engine(), k, show.program());
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
   catch_interrupts();

@@ -30,12 +30,12 @@ constexpr const char* BuiltIn = "demo";
 Stage tlm_stage(const Show& show, const knobs& k) {
   const SceneFile* scene = show.scene();
   const bool wraps = !scene || scene->wrap || scene->overlap;
-  return {show, k, std::make_unique<TlmSource>(k, show.program(), wraps)};
+  return {show, std::make_unique<TlmSource>(k, show.program(), wraps)};
 }
 
 Stage signal_stage(Run run, const std::vector<std::string>& units) {
   use_units(run, units);
-  return {run.show, run.k, std::make_unique<SignalSource>(run.k, run.show.program(), run.units)};
+  return {run.show, std::make_unique<SignalSource>(run.k, run.show.program(), run.units)};
 }
 
 /// SystemC wires a chip once in a process: another scene needs another process.

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "sc/base/knobs.h"
+#include "sc/beam/knobs.h"
 #include "sc/beam/units.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"

@@ -6,11 +6,10 @@
 #include <chrono>
 #include <memory>
 
-#include "sc/beam/knob_parameters.h"
 #include "sc/beam/pwm_sound.h"
 #include "sc/beam/sequencer.h"
-#include "sc/beam/units.h"
 #include "tb/base/interrupt.h"
+#include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/beam_twins.h"
@@ -39,8 +38,9 @@ std::uint64_t walk_clocks(const std::string& unit) {
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
-  const auto model = unit_named(dut.unit).make("model", dut.k, dut.program);
-  Lockstep lockstep("lockstep", dut.unit, *model, knob_parameters(dut.k), dut.plugin);
+  const engine& built = engine_of_unit(dut.unit);
+  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.program);
+  Lockstep lockstep("lockstep", dut.unit, *model, built.parameters(dut.k), dut.plugin);
   lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);
   const auto start = std::chrono::steady_clock::now();
@@ -49,7 +49,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
     traffic.at_episodes([&, counter](unsigned random) {
       const int frame = any_frame(dut, random);
       counter->deposit(frame);
-      lockstep.deposit_frame(frame);
+      lockstep.deposit([&](rtl_instance& rtl) { rtl.seek(frame); });
     });
   TuneWalk walk(bench, seed);
   if (stimulus == Stimulus::Walk) bench.between_edges([&] { walk.next(); });

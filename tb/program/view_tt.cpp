@@ -49,7 +49,7 @@ int view_tt(const ViewOptions& options) {
   TtRun run(project, tt_plugin(project, options.reading.trust), inputs);
   for (const std::string& remark : assumptions(project, run.found())) tell(remark);
   auto screen = open_screen(options);
-  Viewer viewer({Show::of_tile(project.top, project.hash, MostTtFrames), knobs{},
+  Viewer viewer({Show::of_tile(project.top, project.hash, MostTtFrames),
                  std::make_unique<TtSource>(run, sound_pin)},
                 setting);
   viewer.control.state.paused = options.paused;

@@ -19,8 +19,13 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
   if (plan.level == LevelTlm)
     return std::make_unique<TlmBench>(
         TlmBench::Options{plan.k, true, plan.checksums(), sound, plan.show.program(), maps});
-  return std::make_unique<SignalBench>(SignalBench::Options{plan.k, true, plan.checksums(), sound,
-                                                            plan.show.program(), plan.units, maps});
+  if (maps)
+    return std::make_unique<SignalBench>(SignalBench::Options{
+        plan.k, true, plan.checksums(), sound, plan.show.program(), plan.units, maps});
+  return std::make_unique<WiredBench>(
+      WiredBench::Setting{plan.show.engine(), plan.k, plan.show.program(), plan.show.frames(),
+                          plan.units},
+      WiredBench::Watches{true, plan.checksums(), sound});
 }
 
 PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {
@@ -50,7 +55,7 @@ PictureFile difference_file(const RenderPlan& plan, int frame, const GoldenPictu
 FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
     : plan_(plan), bench_(make_bench(plan, sound)) {
   if (!plan.vcd.empty())
-    wave_ = std::make_unique<FrameWave>(dynamic_cast<SignalBench&>(*bench_), plan.show,
+    wave_ = std::make_unique<FrameWave>(dynamic_cast<WiredBench&>(*bench_), plan.show,
                                         Raster(plan.k.clocks_per_pixel, plan.k.speed), plan.first,
                                         plan.vcd);
 }

@@ -18,11 +18,9 @@ void each_field(Frame& frame, const Field& field) {
   field(frame.picture.colours);
   field(frame.picture.image_crc);
   field(frame.picture.pins_crc);
-  field(frame.stats.counters());
-  field(frame.stats.camera_clocks);
-  field(frame.stats.first_emit);
-  field(frame.stats.done_clock);
-  field(frame.stats.busy_clocks);
+  field(frame.stats.counters);
+  field(frame.stats.histograms);
+  field(frame.stats.lines);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/beam/frame_stats.h"
+#include "sc/base/frame_counts.h"
 #include "tb/judge/golden_compare.h"
 #include "tb/monitor/vga_monitor.h"
 #include "tb/picture/rgb_image.h"
@@ -24,7 +24,7 @@ struct PictureFile {
 struct RenderedFrame {
   int number = 0;
   VgaFrame picture;
-  frame_stats stats;
+  frame_counts stats;
   std::optional<GoldenCounts> golden;  ///< if it was compared
   std::vector<PictureFile> files;
 

@@ -91,13 +91,13 @@ std::string counter(const char* name, const FrameCounter& of, std::size_t frames
 }
 
 std::string counters(const SceneNotes& notes) {
-  const LineSpreads& lines = notes.lines();
+  const LineSpread& busy = notes.busy_clocks();
   const LineEstimate& estimate = notes.estimate();
   const std::size_t frames = notes.frames().size();
   return "| counter | mean | worst | where |\n|---|--:|--:|---|\n" +
          fmt::format("| busy clocks of a line, of about {} | {:.1f} | {} | frame {}, y {} |\n",
-                     LineEstimate::Budget, lines.busy_clocks.mean(), lines.worst_busy,
-                     lines.worst_frame, lines.worst_line) +
+                     LineEstimate::Budget, busy.clocks.mean(), busy.worst, busy.worst_frame,
+                     busy.worst_line) +
          fmt::format("| worst line, estimated | | {} | frame {}, y {} |\n", estimate.clocks,
                      estimate.frame, estimate.y) +
          counter("restarts in a frame", notes.restarts(), frames) +

@@ -21,7 +21,7 @@ void SceneNotes::add(int frame) {
   const knobs k = show_.standard_knobs();
   const CoreBench::Frame chip = CoreBench(k, frame, show_.program()).render();
   frames_.push_back(frame);
-  lines_.add(frame, chip.stats);
+  busy_clocks_.add(frame, chip.stats.busy_clocks);
   restarts_.add(frame, chip.stats.restarts);
   starved_pixels_.add(frame, chip.stats.starved_pixels);
   give_ups_.add(frame, chip.stats.give_ups);

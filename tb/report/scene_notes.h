@@ -34,7 +34,7 @@ class SceneNotes {
   const Show& show() const { return show_; }
   const std::vector<int>& frames() const { return frames_; }
   const LineEstimate& estimate() const { return estimate_; }
-  const LineSpreads& lines() const { return lines_; }
+  const LineSpread& busy_clocks() const { return busy_clocks_; }
   const FrameCounter& restarts() const { return restarts_; }
   const FrameCounter& starved_pixels() const { return starved_pixels_; }
   const FrameCounter& give_ups() const { return give_ups_; }
@@ -46,7 +46,7 @@ class SceneNotes {
   const Show show_;
   const LineEstimate estimate_;
   std::vector<int> frames_;
-  LineSpreads lines_;
+  LineSpread busy_clocks_;
   FrameCounter restarts_, starved_pixels_, give_ups_;
   GoldenCounts golden_;
 };

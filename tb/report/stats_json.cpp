@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "sc/base/constants.h"
-#include "sc/beam/tlm/tlm_map.h"
 #include "tb/report/golden_json.h"
 #include "tb/show/knobs_json.h"
 
@@ -18,7 +16,6 @@ namespace racebeam {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Histogram = std::array<std::uint64_t, 65>;
 
 constexpr int Percentile = 99;
 
@@ -29,69 +26,80 @@ Json json_of(const Spread& spread) {
           {"max", spread.max()}};
 }
 
-Json json_of(const Histogram& histogram, int entries) {
-  return std::vector<std::uint64_t>(histogram.begin(), histogram.begin() + entries + 1);
+/// The values that can be.
+Json json_of(const std::vector<std::uint64_t>& histogram, int most) {
+  std::vector<std::uint64_t> values = histogram;
+  values.resize(static_cast<std::size_t>(most) + 1);
+  return values;
 }
 
-/// `whole_run`: name the worst line's frame too.
-void put_lines(Json& to, const LineSpreads& lines, bool whole_run) {
-  to["camera_clocks"] = json_of(lines.camera_clocks);
-  Json& first_emit = to["first_emit_clock"] = json_of(lines.first_emit);
-  if (!first_emit.is_null()) first_emit["lines_without"] = lines.lines_without_emit;
-  Json& done = to["done_clock"] = json_of(lines.done_clock);
-  if (done.is_null()) done = {{"min", nullptr}, {"mean", nullptr}, {"max", nullptr}};
-  done["lines_not_done"] = lines.lines_not_done;
-  Json& busy = to["busy_clocks"] = json_of(lines.busy_clocks);
-  if (busy.is_null()) return;
-  busy["p99"] = lines.busy_clocks.percentile(Percentile);
-  busy["sum"] = lines.busy_clocks.sum();
-  if (whole_run) busy["worst_frame"] = lines.worst_frame;
-  busy["worst_line"] = lines.worst_line;
-}
-
-void put_stats(Json& to, const frame_stats& stats, const knobs& k) {
-  for (const auto& [name, member] : counter_table()) {
-    to[name] = stats.*member;
-    if (member == &frame_stats::clocks) to["decisions"] = stats.decisions();
-  }
-  to["fifo_fill"] = json_of(stats.fifo_fill, k.fifo_entries);
-  to["stack_depth"] = json_of(stats.stack_depth, k.interval_stack_depth);
+Json json_of(const LineSpread& line, const line_info& row, bool whole_run) {
+  Json json = json_of(line.clocks);
+  if (json.is_null() && !row.always) return json;
+  if (json.is_null()) json = {{"min", nullptr}, {"mean", nullptr}, {"max", nullptr}};
+  if (*row.without) json[row.without] = line.without;
+  if (!*row.title) return json;
+  json["p99"] = line.clocks.percentile(Percentile);
+  json["sum"] = line.clocks.sum();
+  if (whole_run) json["worst_frame"] = line.worst_frame;
+  json["worst_line"] = line.worst_line;
+  return json;
 }
 
 }  // namespace
 
-void LineSpreads::add(int frame, const frame_stats& stats) {
-  const auto add_known = [](Spread& spread, const std::vector<int>& values) {
-    int unknown = 0;
-    for (const int value : values) {
-      if (value < 0) ++unknown;
-      else spread.add(value);
-    }
-    return unknown;
-  };
-  add_known(camera_clocks, stats.camera_clocks);
-  lines_without_emit += add_known(first_emit, stats.first_emit);
-  lines_not_done += add_known(done_clock, stats.done_clock);
-  add_known(busy_clocks, stats.busy_clocks);
-  for (std::size_t line = 0; line < stats.busy_clocks.size(); ++line) {
-    if (stats.busy_clocks[line] <= worst_busy) continue;
-    worst_busy = stats.busy_clocks[line];
+void LineSpread::add(int frame, const std::vector<int>& lines) {
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    if (lines[n] < 0) ++without;
+    else clocks.add(lines[n]);
+    if (lines[n] <= worst) continue;
+    worst = lines[n];
     worst_frame = frame;
-    worst_line = FirstVisibleLine + static_cast<int>(line);
+    worst_line = FirstVisibleLine + static_cast<int>(n);
   }
 }
 
-StatsReport::StatsReport(std::string scene, std::string level, const knobs& k)
-    : scene_(std::move(scene)), level_(std::move(level)), knobs_(k) {}
+StatsReport::StatsReport(const engine& counter, std::string scene, std::string level,
+                         const knobs& k)
+    : engine_(counter),
+      scene_(std::move(scene)),
+      level_(std::move(level)),
+      knobs_(k),
+      lines_(counter.lines.size()) {
+  sums_.counters.resize(counter.counters.size());
+  sums_.histograms.resize(counter.histograms.size());
+}
 
-void StatsReport::add(int frame, const std::string& part, const frame_stats& stats,
+nlohmann::ordered_json StatsReport::json_of_counts(const frame_counts& counts) const {
+  Json json;
+  for (std::size_t n = 0; n < counts.counters.size(); ++n)
+    json[engine_.counters[n].name] = counts.counters[n];
+  for (std::size_t n = 0; n < counts.histograms.size(); ++n) {
+    const histogram_info& row = engine_.histograms[n];
+    json[row.name] = json_of(counts.histograms[n], knobs_.*row.most);
+  }
+  return json;
+}
+
+nlohmann::ordered_json StatsReport::json_of_lines(const std::vector<LineSpread>& lines,
+                                                  bool whole_run) const {
+  Json json;
+  for (std::size_t n = 0; n < lines.size(); ++n)
+    json[engine_.lines[n].name] = json_of(lines[n], engine_.lines[n], whole_run);
+  return json;
+}
+
+void StatsReport::add(int frame, const std::string& part, const frame_counts& stats,
                       const VgaFrame& picture, bool crc,
                       const std::optional<GoldenCounts>& golden) {
-  LineSpreads lines;
-  lines.add(frame, stats);
+  std::vector<LineSpread> lines(lines_.size());
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    lines[n].add(frame, stats.lines[n]);
+    lines_[n].add(frame, stats.lines[n]);
+  }
   Json json = {{"frame", frame}, {"part", part}};
-  put_stats(json, stats, knobs_);
-  put_lines(json, lines, false);
+  json.update(json_of_counts(stats));
+  json.update(json_of_lines(lines, false));
   if (crc) {
     json["image_crc32"] = fmt::format("{:08x}", picture.image_crc);
     json["pins_crc32"] = fmt::format("{:08x}", picture.pins_crc);
@@ -102,19 +110,19 @@ void StatsReport::add(int frame, const std::string& part, const frame_stats& sta
     *golden_ += *golden;
   }
   frames_.push_back(json.dump());
+  sums_.add(stats);
+}
 
-  lines_.add(frame, stats);
-  for (const auto& [name, member] : counter_table()) sums_.*member += stats.*member;
-  for (std::size_t i = 0; i < stats.fifo_fill.size(); ++i) {
-    sums_.fifo_fill[i] += stats.fifo_fill[i];
-    sums_.stack_depth[i] += stats.stack_depth[i];
-  }
+std::vector<std::uint64_t> StatsReport::line_sums() const {
+  std::vector<std::uint64_t> sums;
+  for (const LineSpread& line : lines_) sums.push_back(line.clocks.sum());
+  return sums;
 }
 
 std::string StatsReport::text(const std::string& against) const {
   Json total = {{"frames", frames()}};
-  put_stats(total, sums_, knobs_);
-  put_lines(total, lines_, true);
+  total.update(json_of_counts(sums_));
+  total.update(json_of_lines(lines_, true));
   if (golden_) total["golden"] = golden_json(*golden_);
   std::string rows;
   for (const std::string& frame : frames_) rows += (rows.empty() ? "\n" : ",\n") + frame;

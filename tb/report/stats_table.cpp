@@ -4,18 +4,25 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <cstdint>
+#include <vector>
 
 namespace racebeam {
 
 namespace {
 
-constexpr const char* Row = "{:>5}  {:<32} {:>10} {:>10} {:>8} {:>14} {:>11} {:>11}";
+constexpr const char* Head = "{:>5}  {:<32}";
 
-std::string row(const std::string& frame, const std::string& part, const frame_stats& stats,
-                std::uint64_t busy_clocks) {
-  return fmt::format(Row, frame, part, stats.decisions(), stats.bisection_steps, stats.restarts,
-                     stats.starved_pixels, stats.fifo_full_stalls, busy_clocks);
+std::string row(const engine& counter, const std::string& frame, const std::string& part,
+                const frame_counts& stats, const std::vector<std::uint64_t>& line_sums) {
+  std::string text = fmt::format(Head, frame, part);
+  for (std::size_t n = 0; n < stats.counters.size(); ++n)
+    if (const int width = counter.counters[n].column)
+      text += fmt::format(" {:>{}}", stats.counters[n], width);
+  for (std::size_t n = 0; n < line_sums.size(); ++n)
+    if (const std::string title = counter.lines[n].title; !title.empty())
+      text += fmt::format(" {:>{}}", line_sums[n], title.size());
+  return text;
 }
 
 constexpr const char* GoldenColumn = " {:>14}";
@@ -26,25 +33,32 @@ std::string golden_column(const std::optional<GoldenCounts>& golden) {
 
 }  // namespace
 
-std::string table_header(bool crc, bool golden) {
-  return fmt::format(Row, "frame", "part", "decisions", "bisections", "restarts", "starved pixels",
-                     "FIFO stalls", "busy clocks") +
-         (golden ? fmt::format(GoldenColumn, "not as trace4") : "") +
+std::string table_header(const engine& counter, bool crc, bool golden) {
+  std::string text = fmt::format(Head, "frame", "part");
+  for (const counter_info& one : counter.counters)
+    if (one.column) text += fmt::format(" {:>{}}", one.title, one.column);
+  for (const line_info& one : counter.lines)
+    if (*one.title) text += fmt::format(" {}", one.title);
+  return text + (golden ? fmt::format(GoldenColumn, "not as trace4") : "") +
          (crc ? "  image    pins\n" : "\n");
 }
 
-std::string table_row(int frame, const std::string& part, const frame_stats& stats,
-                      const VgaFrame& picture, bool crc,
+std::string table_row(const engine& counter, int frame, const std::string& part,
+                      const frame_counts& stats, const VgaFrame& picture, bool crc,
                       const std::optional<GoldenCounts>& golden) {
-  const std::uint64_t busy =
-      std::accumulate(stats.busy_clocks.begin(), stats.busy_clocks.end(), std::uint64_t{0});
-  return row(std::to_string(frame), part, stats, busy) + golden_column(golden) +
+  std::vector<std::uint64_t> sums;
+  for (const std::vector<int>& lines : stats.lines) {
+    std::uint64_t sum = 0;
+    for (const int clocks : lines) sum += clocks < 0 ? 0 : static_cast<std::uint64_t>(clocks);
+    sums.push_back(sum);
+  }
+  return row(counter, std::to_string(frame), part, stats, sums) + golden_column(golden) +
          (crc ? fmt::format("  {:08x} {:08x}\n", picture.image_crc, picture.pins_crc) : "\n");
 }
 
 std::string table_total(const StatsReport& report) {
-  return row("total", fmt::format("{} frames", report.frames()), report.sums(),
-             report.busy_clocks()) +
+  return row(report.counter(), "total", fmt::format("{} frames", report.frames()), report.sums(),
+             report.line_sums()) +
          golden_column(report.golden()) + "\n";
 }
 

@@ -7,17 +7,17 @@
 #include <optional>
 #include <string>
 
-#include "sc/beam/frame_stats.h"
+#include "sc/base/engine.h"
 #include "tb/monitor/vga_monitor.h"
 #include "tb/report/stats_json.h"
 
 namespace racebeam {
 
-/// Titles of the columns; with the CRCs if `crc`, with the pixels that differ from trace_4 if
-/// `golden`.
-std::string table_header(bool crc, bool golden = false);
-std::string table_row(int frame, const std::string& part, const frame_stats& stats,
-                      const VgaFrame& picture, bool crc,
+/// Titles of the columns, which the tables of the engine `counter` say; with the CRCs if `crc`,
+/// with the pixels that differ from trace_4 if `golden`.
+std::string table_header(const engine& counter, bool crc, bool golden = false);
+std::string table_row(const engine& counter, int frame, const std::string& part,
+                      const frame_counts& stats, const VgaFrame& picture, bool crc,
                       const std::optional<GoldenCounts>& golden = {});
 /// The sums over all frames.
 std::string table_total(const StatsReport& report);

@@ -47,7 +47,7 @@ Run open_run(const RunOptions& options, bool wired) {
 }
 
 void use_units(Run& run, const std::vector<std::string>& units, bool traced) {
-  const UseOption use(run.k, run.show.program(), traced);
+  const UseOption use(run.show.engine(), run.k, run.show.program(), traced);
   for (const std::string& choice : units) use.use(run.units, choice);
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "sc/base/engine.h"
 #include "sc/beam/scene_program.h"
 #include "tb/golden/golden_camera.h"
 #include "tb/golden/golden_world.h"
@@ -25,6 +26,8 @@ class Show {
   /// A chip of its own, of which nothing is known but its name.
   static Show of_tile(std::string name, std::string hash, int frames);
 
+  /// What kind of chip shows it.
+  const racebeam::engine& engine() const { return *engine_; }
   const std::string& name() const { return name_; }
   /// What it was made of, for the manifest: "built-in", or a checksum of the file.
   const std::string& hash() const { return hash_; }
@@ -46,6 +49,7 @@ class Show {
   GoldenCamera golden_camera(int frame) const;
 
  private:
+  const racebeam::engine* engine_;
   std::string name_, hash_;
   int frames_;
   bool tile_ = false;

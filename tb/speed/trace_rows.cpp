@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "tb/bench/signal_bench.h"
 #include "tb/show/show.h"
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/own_process.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/trace/chip_signals.h"
 
-#include <map>
+#include <cstring>
 #include <set>
 #include <type_traits>
 #include <utility>
 
-#include "sc/beam/units.h"
+#include "tb/scene/engines.h"
 
 namespace racebeam {
 
@@ -55,10 +55,11 @@ void add_unit(std::vector<ChipSignal>& all, const sc_core::sc_module& unit,
 }  // namespace
 
 std::string scope_of_unit(const std::string& unit) {
-  return unit == WholeChip ? "chip" : "chip." + instance_of(unit);
+  const unit_row* row = engine_of_unit(unit).unit(unit);
+  return row ? "chip." + row->instance() : "chip";
 }
 
-std::vector<ChipSignal> chip_signals(const SignalBench& bench) {
+std::vector<ChipSignal> chip_signals(const WiredBench& bench) {
   std::vector<ChipSignal> all;
   add_unit(all, bench.dut(), "chip");
   for (const auto* child : bench.dut().get_child_objects()) {
@@ -78,20 +79,16 @@ std::vector<ChipSignal> chip_signals(const SignalBench& bench) {
 }
 
 const std::vector<std::string>* state_words(const ChipSignal& signal) {
-  static const std::map<std::string, std::vector<std::string>> all = {
-      {"u_subdivider.state_q", {"left", "right", "bisect", "return"}},
-      {"u_camera_unit.phase_q", {"product", "load", "scale", "run"}},
-      {"u_navigator.nav_state_q",
-       {"idle", "to_plus", "check_plus", "check_minus", "finish", "store", "adjust", "7",
-        "try_plus", "try_done", "try_check_plus", "try_check_minus", "try_next", "13", "14",
-        "15"}}};
   if (signal.is_port()) return nullptr;
   std::string path = signal.path();
   if (const auto rtl = path.find(".rtl."); rtl != std::string::npos) path.erase(rtl, 4);
-  for (const auto& [end, words] : all)
-    if (path.size() > end.size() && words.size() == std::size_t{1} << signal.bits &&
-        path.compare(path.size() - end.size(), end.size(), end) == 0)
-      return &words;
+  for (const engine* one : engines())
+    for (const auto& [end, words] : one->states) {
+      const std::size_t length = std::strlen(end);
+      if (path.size() > length && words.size() == std::size_t{1} << signal.bits &&
+          path.compare(path.size() - length, length, end) == 0)
+        return &words;
+    }
   return nullptr;
 }
 

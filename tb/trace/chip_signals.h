@@ -1,4 +1,4 @@
-// The signals of the chip on a SignalBench, whatever its units are made of.
+// The signals of the chip on a WiredBench, whatever its units are made of.
 //
 // A wire and the ports at its ends are one signal with several names: `chip.i2`,
 // `chip.u_subdivider.i2_o`. Registers lie beside the ports of their unit, `chip.u_subdivider.i1_q`,
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/signal_bench.h"
+#include "tb/bench/wired_bench.h"
 
 namespace racebeam {
 
@@ -37,11 +37,11 @@ struct ChipSignal {
   std::uint64_t read() const { return inner ? inner() : static_cast<std::uint64_t>(wire.value()); }
 };
 
-/// Where a unit's ports lie: "chip.u_stacks"; of racebeam_top "chip".
+/// Where a unit's ports lie: "chip.u_stacks"; of the whole chip "chip".
 std::string scope_of_unit(const std::string& unit);
 
 /// All names, unit after unit. They can be read as long as the bench lives.
-std::vector<ChipSignal> chip_signals(const SignalBench& bench);
+std::vector<ChipSignal> chip_signals(const WiredBench& bench);
 
 /// The words of a register that holds a state, by value; nullptr: it holds none, or, in somebody's
 /// own RTL, others.

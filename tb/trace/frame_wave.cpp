@@ -6,7 +6,7 @@
 
 namespace racebeam {
 
-FrameWave::FrameWave(SignalBench& bench, const Show& show, const Raster& raster, int first,
+FrameWave::FrameWave(WiredBench& bench, const Show& show, const Raster& raster, int first,
                      const std::string& path)
     : bench_(bench),
       raster_(raster),

@@ -16,14 +16,14 @@ class FrameWave {
  public:
   /// Begins with frame `first`, which the bench is put to, and follows it from there; `bench` and
   /// `show` outlive it. Throws OutputError.
-  FrameWave(SignalBench& bench, const Show& show, const Raster& raster, int first,
+  FrameWave(WiredBench& bench, const Show& show, const Raster& raster, int first,
             const std::string& path);
 
   /// Ends the file after the clocks so far; without one there is no file. Throws OutputError.
   void commit();
 
  private:
-  SignalBench& bench_;
+  WiredBench& bench_;
   const Raster raster_;
   VcdWriter vcd_;
   SignalTrace trace_;

@@ -1,4 +1,4 @@
-// SignalTrace: signals of the chip on a SignalBench as those of a VCD, clock by clock.
+// SignalTrace: signals of the chip on a WiredBench as those of a VCD, clock by clock.
 //
 // Where the beam is stands in `beam`. A state register is a word too:
 // `chip.u_subdivider.state_q_name`.

@@ -1,4 +1,4 @@
-// TraceRun: the chip on a SignalBench, moved by the clocks of the show.
+// TraceRun: the chip on a WiredBench, moved by the clocks of the show.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "tb/bench/signal_bench.h"
+#include "tb/bench/wired_bench.h"
 #include "tb/trace/clocked_run.h"
 #include "tb/trace/trace_window.h"
 
@@ -16,9 +16,9 @@ namespace racebeam {
 class TraceRun : public ClockedRun {
  public:
   /// Stands in the first clock of `frame`; nothing is simulated yet.
-  TraceRun(SignalBench& bench, const Raster& raster, int frame);
+  TraceRun(WiredBench& bench, const Raster& raster, int frame);
 
-  SignalBench& bench() const { return bench_; }
+  WiredBench& bench() const { return bench_; }
   const Raster& raster() const override { return raster_; }
   int period_ps() const override { return bench_.period_ps(); }
   std::vector<ChipSignal> signals(bool registers) override;
@@ -33,7 +33,7 @@ class TraceRun : public ClockedRun {
   void settle() override { bench_.settle(); }
 
  private:
-  SignalBench& bench_;
+  WiredBench& bench_;
   const Raster& raster_;
   std::int64_t clock_;
   std::int64_t epoch_;  // of the kernel's time, in clocks: ordinal of its time 0

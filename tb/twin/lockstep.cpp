@@ -17,25 +17,8 @@ Lockstep::Lockstep(const sc_core::sc_module_name& name, const std::string& unit,
   dont_initialize();
 }
 
-template <class Work>
-void Lockstep::guarded(const Work& work) {
-  if (fault_) return;
-  try {
-    work();
-  } catch (const RtlFault& fault) {
-    if (!outlives_) throw;
-    fault_ = fault.what();
-  }
-}
-
 void Lockstep::settle() {
   guarded([this] { rtl_.settle(); });
-}
-void Lockstep::deposit_frame(int frame) {
-  guarded([&] { rtl_.seek(frame); });
-}
-void Lockstep::deposit_place(const vec3& position, int room) {
-  guarded([&] { rtl_.place(position, room); });
 }
 void Lockstep::clock() {
   guarded([this] { compare(); });

@@ -77,12 +77,13 @@ class Lockstep : public sc_core::sc_module, public probed {
   std::vector<probe> probes() const override;
   void settle();
 
-  /// The back doors, as the model's.
-  void deposit_frame(int frame);
-  void deposit_place(const vec3& position, int room);
+  /// Lets `put` write to the RTL, as the back doors of the model do to that.
+  template <class Put>
+  void deposit(const Put& put) {
+    guarded([&] { put(rtl_); });
+  }
   /// Compares the wiring inside as well; for racebeam_top beside a chip. Throws RtlError.
   void check_wiring(const sc_core::sc_module& chip) { wiring_.emplace(rtl_, chip); }
-  WiringCheck* wiring() { return wiring_ ? &*wiring_ : nullptr; }
   /// Test of the comparison itself: bit `bit` of an output of the RTL is taken inverted in the
   /// compared clock `clock`; the first difference so far is forgotten. Throws RtlError if there is
   /// no such output.
@@ -92,7 +93,15 @@ class Lockstep : public sc_core::sc_module, public probed {
   void clock();
   void compare();
   template <class Work>
-  void guarded(const Work& work);
+  void guarded(const Work& work) {
+    if (fault_) return;
+    try {
+      work();
+    } catch (const RtlFault& fault) {
+      if (!outlives_) throw;
+      fault_ = fault.what();
+    }
+  }
   void remember();
   LockstepDifference difference(std::size_t output, int expected, int got) const;
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/twin/use_option.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
 
-#include "sc/beam/units.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
@@ -43,18 +44,19 @@ const std::vector<std::string>& own_implementations() {
   return words;
 }
 
-UseOption::UseOption(const knobs& k, const scene_program* program, bool traced)
-    : scene_file_(program != nullptr),
+UseOption::UseOption(const engine& built, const knobs& k, const scene_program* program, bool traced)
+    : engine_(built),
+      scene_file_(program != nullptr),
       wired_(!program && is_taped_out(k)),
       plugins_(beam_plugins(k, program, traced)) {}
 
 void UseOption::check_unit(const std::string& unit) const {
-  std::vector<std::string> known = chip_units(scene_file_);
+  std::vector<std::string> known = engine_.unit_names(scene_file_);
   if (std::find(known.begin(), known.end(), unit) != known.end()) return;
-  for (const std::string& other : chip_units(!scene_file_)) {
+  for (const std::string& other : engine_.unit_names(!scene_file_)) {
     if (other != unit) continue;
     for (const std::string& here : known)
-      if (instance_of(here) == instance_of(unit))
+      if (engine_.unit(here)->instance() == engine_.unit(unit)->instance())
         throw UsageError(unit + " is not in this chip: " +
                          (scene_file_ ? "a scene file has " : "the built-in demo has ") + here +
                          " in its place");
@@ -65,7 +67,7 @@ void UseOption::check_unit(const std::string& unit) const {
 
 unit_choice UseOption::choice_of(const std::string& unit, const std::string& text) const {
   if (text == "model") return {};
-  const bool open = unit == WholeChip;  // the check of its wiring looks at the units inside
+  const bool open = unit == engine_.top;  // the check of its wiring looks at the units inside
   if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit, open)};
   if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit, open)};
   const bool beside = text.rfind(Beside, 0) == 0;
@@ -88,26 +90,27 @@ void UseOption::use_one(unit_choices& choices, const std::string& text) const {
                      "UNIT=FILE.sv");
   const std::string unit = text.substr(0, equals), how = text.substr(equals + 1);
   if (unit != AllUnits) {
-    if (unit == WholeChip) check_whole_chip(how);
+    if (unit == engine_.top) check_whole_chip(how);
     else check_unit(unit);
     choices.by_unit[unit] = choice_of(unit, how);
     return;
   }
   if (how != "model" && how != "rtl" && how != "lockstep")
     throw UsageError("all=" + how + ": all units can be model, rtl or lockstep; a file is for one");
-  for (const std::string& each : chip_units(scene_file_))
+  for (const std::string& each : engine_.unit_names(scene_file_))
     choices.by_unit[each] = choice_of(each, how);
-  if (how == "lockstep" && wired_) choices.by_unit[WholeChip] = choice_of(WholeChip, how);
+  if (how == "lockstep" && wired_) choices.by_unit[engine_.top] = choice_of(engine_.top, how);
 }
 
 void UseOption::check_whole_chip(const std::string& how) const {
   if (how == "model" || how == "rtl")
-    throw UsageError(std::string(WholeChip) +
-                     " is all units in RTL and their wires: it runs beside the chip only, as "
-                     "racebeam_top=lockstep; for RTL in the chip write all=rtl");
+    throw UsageError(fmt::format(
+        "{0} is all units in RTL and their wires: it runs beside the chip only, as {0}=lockstep; "
+        "for RTL in the chip write all=rtl",
+        engine_.top));
   if (!wired_)
     throw UsageError(
-        std::string(WholeChip) +
+        std::string(engine_.top) +
         " is the taped-out chip with its own demo; leave out the scene file and --set");
 }
 

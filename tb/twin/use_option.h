@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/base/engine.h"
 #include "sc/base/unit_choices.h"
 #include "sc/beam/knobs.h"
 #include "sc/beam/scene_program.h"
@@ -22,9 +23,9 @@ const std::vector<std::string>& own_implementations();
 /// Reads choices for one chip.
 class UseOption {
  public:
-  /// A chip with the knobs `k` that shows `program`; nullptr: the built-in demo.
+  /// A chip of `built` with the knobs `k` that shows `program`; nullptr: the built-in demo.
   /// `traced`: signals inside the RTL can be read.
-  UseOption(const knobs& k, const scene_program* program, bool traced = false);
+  UseOption(const engine& built, const knobs& k, const scene_program* program, bool traced = false);
 
   /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
   /// "stacks=mine.f", "stacks=mine.so", or several with commas between; later ones replace earlier
@@ -32,7 +33,7 @@ class UseOption {
   void use(unit_choices& choices, const std::string& text) const;
 
   /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. `all` has
-  /// racebeam_top too, where that is the chip. Throws as use() does.
+  /// the whole chip too, where its RTL is this chip. Throws as use() does.
   void lockstep(unit_choices& choices, const std::string& text) const;
 
  private:
@@ -42,8 +43,9 @@ class UseOption {
 
   void check_whole_chip(const std::string& how) const;
 
+  const engine& engine_;
   const bool scene_file_;
-  const bool wired_;  // racebeam_top is this chip
+  const bool wired_;  // the whole chip in RTL is this chip
   const PluginMaker plugins_;
 };
 

@@ -15,7 +15,7 @@ constexpr std::uint64_t Settling = 1600;  // clocks of a line, until registers w
 
 }  // namespace
 
-WiringCheck::WiringCheck(rtl_instance& top, const sc_core::sc_module& chip) : top_(top) {
+WiringCheck::WiringCheck(rtl_instance& top, const sc_core::sc_module& chip) {
   for (const auto* child : chip.get_child_objects()) {
     const auto* unit = dynamic_cast<const sc_core::sc_module*>(child);
     if (!unit) continue;
@@ -79,15 +79,6 @@ std::string WiringCheck::wrong_outputs() const {
     names += (names.empty() ? "" : ", ") + out.full_name();
   }
   return own.empty() ? all : own;
-}
-
-// x and y are stored without the six bits that a flight along z keeps, of the room only its j.
-void WiringCheck::seek(int frame, const vec3& position, int room) {
-  top_.deposit("u_sequencer.frame_q", frame);
-  top_.deposit("u_navigator.g_along_z.position_x_q", position[0] >> 6);
-  top_.deposit("u_navigator.g_along_z.position_y_q", position[1] >> 6);
-  top_.deposit("u_navigator.g_along_z.position_z_q", position[2]);
-  top_.deposit("u_navigator.g_along_z.room_j_q", room >> 4);
 }
 
 std::string WiringCheck::text() const {

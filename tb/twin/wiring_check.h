@@ -23,9 +23,6 @@ class WiringCheck {
   /// from the second line on, an output that is not the model's.
   void look(std::uint64_t clock);
 
-  /// Writes the registers that carry state from frame to frame.
-  void seek(int frame, const vec3& position, int room);
-
   /// The earliest difference and what it means.
   std::string text() const;
 
@@ -46,7 +43,6 @@ class WiringCheck {
   std::string wrong_wire() const;
   std::string wrong_outputs() const;
 
-  rtl_instance& top_;
   std::vector<Port> ports_;
   bool joined_ = false;
   std::string found_;

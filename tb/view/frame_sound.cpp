@@ -16,7 +16,7 @@ constexpr double Pi = 3.14159265358979323846;
 }  // namespace
 
 std::vector<float> FrameSound::play(int frame) {
-  static const double pull = 1 - std::exp(-2 * Pi * CapacitorHz / Rate);
+  static const double pull = 1 - std::exp(-2 * Pi * CapacitorHz / SampleRate);
   std::vector<float> samples;
   samples.reserve(FrameSamples);
   for (int y = FirstLine; y <= LastLine; ++y) {

@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "sc/beam/tlm/sound_line.h"
+#include "tb/view/frame_source.h"
 
 namespace racebeam {
 
 class FrameSound {
  public:
-  static constexpr int Rate = SampleRate;  ///< samples a second
+  static_assert(SampleRate == FrameSource::SoundRate);
 
   /// FrameSamples samples of a frame, -1..1 around the mean level of what was played so far.
   std::vector<float> play(int frame);

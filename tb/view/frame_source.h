@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include "sc/base/fixed_point.h"
 #include "tb/bench/frame_watch.h"
+#include "tb/bench/interval_event.h"
 #include "tb/tt/tt_inputs.h"
 
 namespace racebeam {
@@ -25,8 +27,18 @@ struct Pose {
   int yaw = 0, pitch = 0, fov = 96;
 };
 
+/// Something in the chip that is fuller or emptier.
+struct Gauge {
+  const char* title;
+  std::vector<std::uint64_t> seen;  ///< clocks of this frame by value, for bars; empty: no bars
+  int most, now;
+  bool alarm;
+};
+
 class FrameSource {
  public:
+  static constexpr int SoundRate = 63000;  ///< samples a second: two a line
+
   virtual ~FrameSource() = default;
 
   /// "tlm", "signal", "verilated".
@@ -39,7 +51,11 @@ class FrameSource {
   virtual double clock_hz() const;
   /// Names and values for the statistics; an empty pair is an empty line.
   using Rows = std::vector<std::pair<std::string, std::string>>;
-  virtual Rows rows() const;
+  virtual Rows rows() const { return {}; }
+  /// For the panel, at the beam.
+  virtual std::vector<Gauge> gauges() const { return {}; }
+  /// Of the frame so far, if the chip has such.
+  virtual const std::vector<IntervalEvent>& intervals() const;
 
   /// Stands before the first clock of `frame`, on the camera's own path. A frame that is half shown
   /// is given up, or shown to its end where the level cannot do that.
@@ -58,7 +74,9 @@ class FrameSource {
   virtual std::string inputs_text() const { return ""; }
   /// They are others from the next clock on.
   virtual void press(TilePins) {}
-  /// What the source played since the last call, at FrameSound::Rate; of our chip FrameSound plays.
+  /// What a frame sounds like if it is to be heard without being run, at SoundRate.
+  virtual std::vector<float> play(int /*frame*/) { return {}; }
+  /// What the source played since the last call, at SoundRate.
   virtual std::vector<float> take_sound() { return {}; }
 
   /// Clocks up to the end of the frame; of a whole frame if it stands before the first.

@@ -9,7 +9,7 @@ namespace racebeam {
 namespace {
 
 SignalBench::Options options_of(const knobs& k, const scene_program* program,
-                                const unit_choices& units, FrameWatch* watch) {
+                                const unit_choices& units, BeamWatch* watch) {
   SignalBench::Options options;
   options.k = k;
   options.program = program;
@@ -21,7 +21,7 @@ SignalBench::Options options_of(const knobs& k, const scene_program* program,
 }  // namespace
 
 SignalSource::SignalSource(const knobs& k, const scene_program* program, const unit_choices& units)
-    : watch_(Raster(k.clocks_per_pixel, k.speed)), bench_(options_of(k, program, units, &watch_)) {}
+    : BeamSource(k), bench_(options_of(k, program, units, &watch_)) {}
 
 void SignalSource::seek(int frame) {
   if (watch_.seen() > 0 && !watch_.whole()) advance(clocks_left());

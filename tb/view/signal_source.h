@@ -5,25 +5,23 @@
 #pragma once
 
 #include "tb/bench/signal_bench.h"
-#include "tb/view/frame_source.h"
+#include "tb/view/beam_source.h"
 
 namespace racebeam {
 
 /// One per process.
-class SignalSource : public FrameSource {
+class SignalSource : public BeamSource {
  public:
   /// The program, if any, must outlive the source and fit the knobs. Throws RtlError.
   SignalSource(const knobs& k, const scene_program* program, const unit_choices& units);
 
   const char* level() const override { return "signal"; }
   bool fast() const override { return false; }
-  const FrameWatch& watch() const override { return watch_; }
   void seek(int frame) override;
   /// Throws SyncError.
   int advance(int clocks) override;
 
  private:
-  FrameWatch watch_;
   SignalBench bench_;
 };
 

@@ -8,11 +8,7 @@
 namespace racebeam {
 
 TlmSource::TlmSource(const knobs& k, const scene_program* program, bool wraps)
-    : knobs_(k),
-      program_(program),
-      wraps_(wraps),
-      now_(k),
-      watch_(Raster(k.clocks_per_pixel, k.speed)) {
+    : BeamSource(k), program_(program), wraps_(wraps), now_(k) {
   seek(0);
 }
 
@@ -43,7 +39,7 @@ void TlmSource::run_frame() {
   chip_view last;
   for (int clock = 0; clock < lines_->line_clocks(); ++clock) chip().clock(true, now_, &last);
   stats.clocks += static_cast<std::uint64_t>(lines_->line_clocks());
-  watch_.frame(std::move(colours), log_.take(), std::move(stats), last);
+  watch_.whole_frame(std::move(colours), log_.take(), std::move(stats), last);
 }
 
 int TlmSource::advance(int clocks) {

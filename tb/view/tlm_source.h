@@ -9,11 +9,11 @@
 
 #include "sc/beam/tlm/chip_lines.h"
 #include "tb/bench/interval_log.h"
-#include "tb/view/frame_source.h"
+#include "tb/view/beam_source.h"
 
 namespace racebeam {
 
-class TlmSource : public FrameSource {
+class TlmSource : public BeamSource {
  public:
   /// The demo, or a program that fits the knobs and outlives the source. `wraps`: its corners are
   /// meant to wrap at the knob's width, which a free flight must not widen.
@@ -21,7 +21,6 @@ class TlmSource : public FrameSource {
 
   const char* level() const override { return "tlm"; }
   bool fast() const override { return true; }
-  const FrameWatch& watch() const override { return watch_; }
   void seek(int frame) override;
   int advance(int clocks) override;
   bool can_fly() const override { return program_ != nullptr; }
@@ -32,13 +31,11 @@ class TlmSource : public FrameSource {
   chip_core& chip() { return lines_->registers(); }
   void run_frame();
 
-  const knobs knobs_;
   const scene_program* const program_;
   const bool wraps_;
   knobs now_;  // wider in a free flight
   IntervalLog log_;
   std::optional<chip_lines> lines_;
-  FrameWatch watch_;
   bool flying_ = false;
 };
 

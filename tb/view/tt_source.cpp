@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "tb/view/frame_sound.h"
+#include "tb/view/frame_source.h"
 
 namespace racebeam {
 
@@ -14,7 +14,7 @@ TtSource::TtSource(TtRun& run, int sound_pin)
     : run_(run),
       sound_pin_(sound_pin),
       watch_(run.found().raster),
-      sound_(run.clock_hz(), FrameSound::Rate) {
+      sound_(run.clock_hz(), FrameSource::SoundRate) {
   seek(0);
 }
 

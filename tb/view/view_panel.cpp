@@ -17,16 +17,18 @@ constexpr Rgb Paper{20, 21, 27}, Rule{52, 54, 64}, Ink{228, 228, 228}, Faint{140
 constexpr Rgb Bar{58, 110, 165}, Now{255, 196, 64}, Alarm{222, 45, 38};
 constexpr int Margin = 12, Left = VisibleColumns + Margin, Width = PanelWidth - 2 * Margin;
 constexpr int BarGap = 3, GaugeGap = 14, LightHeight = 10;
-constexpr int DepthHeight = GlyphHeight + LightHeight + 14;
+constexpr int LightsHeight = GlyphHeight + LightHeight + 14;
+
+void paint_title(RgbImage& picture, int top, const Gauge& gauge) {
+  picture.text(Left, top, gauge.title, Ink);
+  const std::string value = std::to_string(gauge.now) + " of " + std::to_string(gauge.most);
+  picture.text(Left + Width - GlyphWidth * static_cast<int>(value.size()), top, value,
+               gauge.alarm ? Alarm : Now);
+}
 
 // How often each value 0..most was seen in the frame so far, on a root scale; the present one lit.
-template <class Counts>
-int paint_gauge(RgbImage& picture, int top, int bar, const std::string& title, const Counts& seen,
-                int most, int now, bool alarm) {
-  picture.text(Left, top, title, Ink);
-  const std::string value = std::to_string(now) + " of " + std::to_string(most);
-  picture.text(Left + Width - GlyphWidth * static_cast<int>(value.size()), top, value,
-               alarm ? Alarm : Now);
+int paint_bars(RgbImage& picture, int top, int bar, const Gauge& gauge) {
+  const auto& [title, seen, most, now, alarm] = gauge;
   const int base = top + GlyphHeight + BarGap + bar;
   const int step = std::max(Width / (most + 1), 1);
   const std::uint64_t largest = std::max<std::uint64_t>(
@@ -42,29 +44,30 @@ int paint_gauge(RgbImage& picture, int top, int bar, const std::string& title, c
   return base + GaugeGap;
 }
 
-// The depth in which the tracer is: one light for each room.
-int paint_depth(RgbImage& picture, int top, int depth, int most) {
-  picture.text(Left, top, "rooms entered", Ink);
-  const std::string value = std::to_string(depth) + " of " + std::to_string(most);
-  picture.text(Left + Width - GlyphWidth * static_cast<int>(value.size()), top, value, Now);
-  const int step = Width / most;
-  for (int i = 0; i < most; ++i)
+// One light for each of those that there are now.
+int paint_lights(RgbImage& picture, int top, const Gauge& gauge) {
+  const int step = Width / gauge.most;
+  for (int i = 0; i < gauge.most; ++i)
     picture.fill(Left + i * step, top + GlyphHeight + BarGap, step - 2, LightHeight,
-                 i < depth ? Now : Rule);
-  return top + DepthHeight;
+                 i < gauge.now ? Now : Rule);
+  return top + LightsHeight;
 }
 
 // Of the bars, so that all below the statistics has room beside the chip's picture.
-int bar_height(int top) {
-  const int others = 2 * (GlyphHeight + BarGap + GaugeGap) + DepthHeight + 2 * GlyphHeight + 8;
-  return std::clamp((VisibleRows - top - others) / 2, 12, 46);
+int bar_height(int top, const std::vector<Gauge>& gauges) {
+  int others = 2 * GlyphHeight + 8, bars = 0;
+  for (const Gauge& gauge : gauges) {
+    bars += !gauge.seen.empty();
+    others += gauge.seen.empty() ? LightsHeight : GlyphHeight + BarGap + GaugeGap;
+  }
+  return std::clamp((VisibleRows - top - others) / std::max(bars, 1), 12, 46);
 }
 
 }  // namespace
 
-void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, const ViewState& state,
+void paint_panel(RgbImage& picture, const FrameSource& source, const ViewState& state,
                  const std::string& statistics) {
-  const int edge = watch.raster().columns, left = edge + Margin;
+  const int edge = source.watch().raster().columns, left = edge + Margin;
   picture.fill(edge, 0, PanelWidth, picture.height(), Paper);
   int top = 10;
   if (state.text) {
@@ -73,18 +76,15 @@ void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, con
     picture.fill(left, top + 4, Width, 1, Rule);
     top += 12;
   }
-  if (state.gauges) {
-    const chip_view& now = watch.now();
-    const frame_stats& stats = watch.stats();
-    const int bar = bar_height(top);
-    top = paint_gauge(picture, top, bar, "FIFO entries", stats.fifo_fill, k.fifo_entries, now.fill,
-                      now.starving);
-    top = paint_gauge(picture, top, bar, "interval stack", stats.stack_depth,
-                      k.interval_stack_depth, now.sd, false);
-    const int depth = now.tag >> LevelBits & ((1 << DepthBits) - 1);
-    top = paint_depth(picture, top, depth, k.room_depth_limit());
-    picture.text(Left, top, "bars: clocks of this frame\nlit: at the beam", Faint);
+  const std::vector<Gauge> gauges = source.gauges();
+  if (!state.gauges || gauges.empty()) return;
+  const int bar = bar_height(top, gauges);
+  for (const Gauge& gauge : gauges) {
+    paint_title(picture, top, gauge);
+    top = gauge.seen.empty() ? paint_lights(picture, top, gauge)
+                             : paint_bars(picture, top, bar, gauge);
   }
+  picture.text(Left, top, "bars: clocks of this frame\nlit: at the beam", Faint);
 }
 
 }  // namespace racebeam

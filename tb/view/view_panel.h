@@ -7,14 +7,14 @@
 #include <string>
 
 #include "sc/beam/knobs.h"
-#include "tb/bench/frame_watch.h"
 #include "tb/picture/rgb_image.h"
+#include "tb/view/frame_source.h"
 #include "tb/view/view_control.h"
 
 namespace racebeam {
 
 /// Paints it to the right of the frame.
-void paint_panel(RgbImage& picture, const FrameWatch& watch, const knobs& k, const ViewState& state,
+void paint_panel(RgbImage& picture, const FrameSource& source, const ViewState& state,
                  const std::string& statistics);
 
 }  // namespace racebeam

@@ -92,19 +92,19 @@ void paint_message(RgbImage& picture, const std::string& message, const FrameWat
   paint_lines(picture, top + Margin, lines);
 }
 
-RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
-                      const ViewWords& words) {
+RgbImage view_picture(const FrameSource& source, const ViewState& state, const ViewWords& words) {
+  const FrameWatch& watch = source.watch();
   const bool panel = state.gauges || state.text;
   const int columns = watch.raster().columns, rows = watch.raster().rows;
   RgbImage picture(watch.screen().colours(), columns, rows, columns + (panel ? PanelWidth : 0),
                    rows + (state.map ? MapBarHeight : 0));
   if (state.map) {
-    paint_map(picture, make_map(*state.map, watch.intervals(), watch.raster()), !watch.whole());
+    paint_map(picture, make_map(*state.map, source.intervals(), watch.raster()), !watch.whole());
     paint_bar(picture, VisibleRows, *state.map, words.where);
   }
-  if (state.borders) paint_borders(picture, watch.intervals());
+  if (state.borders) paint_borders(picture, source.intervals());
   if (state.beam) paint_beam(picture, watch);
-  if (panel) paint_panel(picture, watch, k, state, words.statistics);
+  if (panel) paint_panel(picture, source, state, words.statistics);
   if (state.help) paint_help(picture, state.inputs.has_value());
   if (!words.error.empty()) paint_error(picture, words.error);
   return picture;

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "sc/beam/knobs.h"
-#include "tb/bench/frame_watch.h"
 #include "tb/picture/rgb_image.h"
+#include "tb/view/frame_source.h"
 #include "tb/view/view_control.h"
 
 namespace racebeam {
@@ -26,8 +26,7 @@ struct ViewWords {
   std::string error;       ///< in a red field, until it is mended; empty: none
 };
 
-RgbImage view_picture(const FrameWatch& watch, const knobs& k, const ViewState& state,
-                      const ViewWords& words);
+RgbImage view_picture(const FrameSource& source, const ViewState& state, const ViewWords& words);
 
 /// Writes lines over the chip's picture, far from the beam.
 void paint_message(RgbImage& picture, const std::string& message, const FrameWatch& watch);

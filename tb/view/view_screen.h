@@ -20,7 +20,7 @@ class ViewScreen {
   /// Hands on what the user did since the last call. True if the picture must be shown again.
   virtual bool poll(ViewControl& control) = 0;
   virtual void show(const Viewer& viewer) = 0;
-  /// Samples at FrameSound::Rate, -1..1.
+  /// Samples at FrameSource::SoundRate, -1..1.
   virtual void play(const std::vector<float>&) {}
   /// A line for stderr, as soon as that does not disturb the screen.
   virtual void tell_user(const std::string& line) { tell(line); }

@@ -13,14 +13,14 @@
 #include "sc/base/constants.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
-#include "tb/view/frame_sound.h"
+#include "tb/view/frame_source.h"
 #include "tb/view/view_layout.h"
 
 namespace racebeam {
 
 namespace {
 
-constexpr int LongestQueue = FrameSound::Rate / 4;  // samples that wait to be played
+constexpr int LongestQueue = FrameSource::SoundRate / 4;  // samples that wait to be played
 
 // "keypad +" is "+" too.
 std::string key_name(const SDL_Keysym& key) {
@@ -141,7 +141,7 @@ class Window : public ViewScreen {
 
 void Window::open_sound() {
   SDL_AudioSpec wish{};
-  wish.freq = FrameSound::Rate;
+  wish.freq = FrameSource::SoundRate;
   wish.format = AUDIO_F32SYS;
   wish.channels = 1;
   wish.samples = 1024;

@@ -167,18 +167,13 @@ double Viewer::frame_rate() const {
   return stage_.source->clock_hz() / stage_.source->watch().raster().frame_clocks();
 }
 
-// The pin is clocked by the beam: other clocks a pixel would make other tones.
-bool Viewer::audible() const {
-  const knobs chip;
-  return control.state.speed == 0 && !control.state.muted &&
-         stage_.k.clocks_per_pixel == chip.clocks_per_pixel && stage_.k.speed == chip.speed;
-}
+bool Viewer::audible() const { return control.state.speed == 0 && !control.state.muted; }
 
 void Viewer::play_frames(int frames) {
   if (audible())
     for (int i = 0; i < std::min(frames, MostSound); ++i) {
-      const std::vector<float> more =
-          sound_.play((sound_frame_ + std::max(frames - MostSound, 0) + i) % stage_.show.frames());
+      const std::vector<float> more = stage_.source->play(
+          (sound_frame_ + std::max(frames - MostSound, 0) + i) % stage_.show.frames());
       samples_.insert(samples_.end(), more.begin(), more.end());
     }
   sound_frame_ = (sound_frame_ + frames) % stage_.show.frames();

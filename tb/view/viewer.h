@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "tb/show/show.h"
-#include "tb/view/frame_sound.h"
 #include "tb/view/frame_source.h"
 #include "tb/view/free_flight.h"
 #include "tb/view/scene_watch.h"
@@ -27,7 +26,6 @@ namespace racebeam {
 /// A show that is ready to run: the source refers to the show's tables, and goes before it.
 struct Stage {
   Show show;
-  knobs k;
   std::unique_ptr<FrameSource> source;
 };
 
@@ -64,7 +62,7 @@ class Viewer {
   /// what else would be on it or beside it as lines.
   RgbImage bare_picture() const;
   std::vector<std::string> words() const;
-  /// Samples at FrameSound::Rate of the frames since the last call.
+  /// Samples at FrameSource::SoundRate of the frames since the last call.
   std::vector<float> take_sound();
   /// Says something over the picture for two seconds.
   void say(const std::string& message);
@@ -120,7 +118,6 @@ class Viewer {
   const Options options_;
   SceneWatch watch_;
   ViewRecorder recorder_;
-  FrameSound sound_;
   std::vector<float> samples_;
   std::optional<FreeFlight> flight_;
   int flight_frame_ = 0;  // whose shot is shown in a free flight

@@ -96,7 +96,7 @@ RgbImage Viewer::picture() const {
   const int frame = stage_.source->watch().frame();
   ViewWords words{fmt::format("{} frame {}", stage_.show.name(), frame), "", error_};
   if (control.state.text) words.statistics = statistics();
-  return view_picture(stage_.source->watch(), stage_.k, control.state, words);
+  return view_picture(*stage_.source, control.state, words);
 }
 
 RgbImage Viewer::picture_with_message() const {
@@ -109,7 +109,7 @@ RgbImage Viewer::bare_picture() const {
   ViewState bare = control.state;
   bare.gauges = bare.text = bare.help = false;
   const Raster& raster = stage_.source->watch().raster();
-  const RgbImage image = view_picture(stage_.source->watch(), stage_.k, bare, {});
+  const RgbImage image = view_picture(*stage_.source, bare, {});
   return image.top(raster.columns, raster.rows);
 }
 
@@ -146,7 +146,7 @@ void Viewer::explain() {
                                           watch.frame(), column, row);
   news_.push_back("to know why: " + command);
   std::string text = command;
-  for (const IntervalEvent& event : watch.intervals())
+  for (const IntervalEvent& event : stage_.source->intervals())
     if (event.y == row + FirstVisibleLine && event.from < column && column <= event.to + 1)
       text += fmt::format("\npixels {}..{}: {} entered, {}, {}", event.from, event.to,
                           counted(event.depth, "room"), event.wall ? "a wall hit" : "given up",

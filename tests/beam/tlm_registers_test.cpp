@@ -41,9 +41,9 @@ TEST_F(TlmRegisters, ShowsTheStatisticsOfTheLastWholeFrame) {
   run_frames(1);
   sc_core::sc_start(100 * LineTime);  // into the next
   const frame_stats want = CoreBench({}, 7223).render().stats;
-  for (std::size_t i = 0; i < counter_table().size(); ++i)
-    EXPECT_EQ(host.read_64(RegisterCounters + 8 * i), want.*counter_table()[i].member)
-        << counter_table()[i].name;
+  const auto registers = counter_registers();
+  for (std::size_t i = 0; i < registers.size(); ++i)
+    EXPECT_EQ(host.read_64(RegisterCounters + 8 * i), want.*registers[i]) << "register " << i;
   for (std::size_t i = 0; i < want.fifo_fill.size(); ++i) {
     EXPECT_EQ(host.read_64(RegisterFifoFill + 8 * i), want.fifo_fill[i]);
     EXPECT_EQ(host.read_64(RegisterStackDepth + 8 * i), want.stack_depth[i]);
@@ -153,10 +153,10 @@ TEST_F(TlmRegisters, GivesNoDirectMemory) {
 
 // No table runs into the next.
 TEST(CounterTable, TablesFitBetweenTheirAddresses) {
-  EXPECT_LE(RegisterCounters + 8 * counter_table().size(), std::uint64_t{RegisterFifoFill});
+  EXPECT_LE(RegisterCounters + 8 * counter_registers().size(), std::uint64_t{RegisterFifoFill});
   EXPECT_LE(RegisterKnobs + 4 * knob_table().size(), std::uint64_t{RegisterCounters});
   std::set<std::string> names;
-  for (const counter_info& row : counter_table()) names.insert(row.name);
+  for (const counter_row& row : counter_table()) names.insert(row.info.name);
   EXPECT_EQ(names.size(), counter_table().size());
 }
 

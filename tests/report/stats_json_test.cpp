@@ -6,12 +6,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sc/beam/counters.h"
+#include "sc/beam/engine.h"
+
 namespace racebeam {
 namespace {
 
 using nlohmann::json;
 
-frame_stats frame_of(std::vector<int> busy) {
+frame_counts frame_of(std::vector<int> busy) {
   frame_stats stats;
   stats.clocks = 840'000;
   stats.left_decisions = 5;
@@ -23,7 +26,7 @@ frame_stats frame_of(std::vector<int> busy) {
   stats.first_emit = {-1, 60};
   stats.done_clock = {-1, -1};
   stats.busy_clocks = std::move(busy);
-  return stats;
+  return counted(stats);
 }
 
 json report_of(const StatsReport& report) { return json::parse(report.text()); }
@@ -41,14 +44,14 @@ TEST(SpreadTest, PercentileIsTheLeastValueThatCoversIt) {
 }
 
 TEST(StatsReportTest, WithoutFramesIsStillWhole) {
-  const json document = report_of(StatsReport("demo", "signal", {}));
+  const json document = report_of(StatsReport(beam_engine(), "demo", "signal", {}));
   EXPECT_EQ(document.at("frames"), json::array());
   EXPECT_EQ(document.at("total").at("clocks"), 0);
   EXPECT_TRUE(document.at("total").at("busy_clocks").is_null());
 }
 
 TEST(StatsReportTest, LinesWithoutAValueAreCountedNotAveraged) {
-  StatsReport report("demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", {});
   report.add(9, "pillars", frame_of({100, 300}), {}, false);
   const json frame = report_of(report).at("frames")[0];
   EXPECT_EQ(frame.at("decisions"), 10);
@@ -62,7 +65,7 @@ TEST(StatsReportTest, LinesWithoutAValueAreCountedNotAveraged) {
 }
 
 TEST(StatsReportTest, TotalNamesTheWorstLineOfTheRun) {
-  StatsReport report("demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", {});
   report.add(9, "pillars", frame_of({100, 300}), {}, false);
   report.add(10, "pillars", frame_of({700, 200}), {}, false);
   const json document = report_of(report);
@@ -76,7 +79,7 @@ TEST(StatsReportTest, TotalNamesTheWorstLineOfTheRun) {
 }
 
 TEST(StatsReportTest, CrcsAreEightHexDigits) {
-  StatsReport report("demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", {});
   VgaFrame picture;
   picture.image_crc = 0xabc;
   report.add(0, "pillars", frame_of({1, 2}), picture, true);

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sc/beam/frame_stats.h"
+#include <algorithm>
+
+#include "sc/beam/counters.h"
 
 namespace racebeam {
 
@@ -26,6 +28,29 @@ inline void expect_equal(const frame_stats& a, const frame_stats& b) {
   EXPECT_EQ(a.stack_depth, b.stack_depth);
   EXPECT_EQ(a.done_clock, b.done_clock);
   EXPECT_EQ(a.busy_clocks, b.busy_clocks);
+}
+
+/// What was counted so.
+inline frame_stats stats_of(const frame_counts& counts) {
+  frame_stats stats;
+  for (std::size_t n = 0; n < counter_table().size(); ++n)
+    if (const auto member = counter_table()[n].member) stats.*member = counts.counters.at(n);
+  for (std::size_t n = 0; n < histogram_table().size(); ++n) {
+    const auto& values = counts.histograms.at(n);
+    std::copy(values.begin(), values.end(), (stats.*histogram_table()[n].member).begin());
+  }
+  for (std::size_t n = 0; n < line_table().size(); ++n)
+    stats.*line_table()[n].member = counts.lines.at(n);
+  return stats;
+}
+
+/// All of it.
+inline void expect_equal(const frame_counts& got, const frame_stats& expected) {
+  const frame_counts want = counted(expected);
+  for (std::size_t n = 0; n < want.counters.size(); ++n)
+    EXPECT_EQ(got.counters.at(n), want.counters[n]) << counter_table()[n].info.name;
+  EXPECT_EQ(got.histograms, want.histograms);
+  EXPECT_EQ(got.lines, want.lines);
 }
 
 }  // namespace racebeam

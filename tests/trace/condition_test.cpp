@@ -8,6 +8,7 @@
 
 #include "sc/beam/chip_core.h"
 #include "tb/base/errors.h"
+#include "tb/bench/signal_bench.h"
 #include "tb/trace/chip_signals.h"
 #include "tb/trace/trace_run.h"
 

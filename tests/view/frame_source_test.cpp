@@ -25,7 +25,7 @@ constexpr int LineClocks = 2 * LinePixels;
 class FrameSourceTest : public testing::TestWithParam<const char*> {
  protected:
   const knobs k;
-  std::unique_ptr<FrameSource> make() const {
+  std::unique_ptr<BeamSource> make() const {
     if (std::string(GetParam()) == "tlm") return std::make_unique<TlmSource>(k);
     return std::make_unique<SignalSource>(k, nullptr, unit_choices{});
   }

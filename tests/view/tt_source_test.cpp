@@ -10,7 +10,7 @@
 
 #include "tb/tt/tt_bench.h"
 #include "tb/verilate/rtl_plugin.h"
-#include "tb/view/frame_sound.h"
+#include "tb/view/frame_source.h"
 
 namespace racebeam {
 namespace {
@@ -50,7 +50,7 @@ class TtSourceTest : public testing::Test {
   static double pitch(const std::vector<float>& sound) {
     int rises = 0;
     for (std::size_t i = 1; i < sound.size(); ++i) rises += sound[i - 1] < 0 && sound[i] >= 0;
-    return rises * 1.0 * FrameSound::Rate / static_cast<double>(sound.size());
+    return rises * 1.0 * FrameSource::SoundRate / static_cast<double>(sound.size());
   }
 
   TtProject project;

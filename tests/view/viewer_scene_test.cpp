@@ -40,7 +40,7 @@ bool in_time() { return true; }
 
 Stage stage_of(const Show& show) {
   const knobs k = show.standard_knobs();
-  return {show, k, std::make_unique<TlmSource>(k, show.program(), false)};
+  return {show, std::make_unique<TlmSource>(k, show.program(), false)};
 }
 
 class ViewerSceneTest : public testing::Test {

@@ -28,7 +28,7 @@ class ViewerTest : public testing::Test {
  protected:
   static Stage demo() {
     const Show show;
-    return {show, knobs{}, std::make_unique<TlmSource>(knobs{})};
+    return {show, std::make_unique<TlmSource>(knobs{})};
   }
   static Viewer::Options at(int first) {
     Viewer::Options options;

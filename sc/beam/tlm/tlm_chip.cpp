@@ -175,46 +175,25 @@ tlm_chip::word tlm_chip::read_stats(std::uint64_t address) const {
   const auto half = [address](std::uint64_t counter) {
     return word{true, static_cast<std::uint32_t>(counter >> (address % 8 * 8))};
   };
-  if (in_table(RegisterCounters, 8 * counter_table().size()))
-    return half(stats_.*counter_table()[(address - RegisterCounters) / 8].member);
-  if (in_table(RegisterFifoFill, 8 * stats_.fifo_fill.size()))
-    return half(stats_.fifo_fill[(address - RegisterFifoFill) / 8]);
-  if (in_table(RegisterStackDepth, 8 * stats_.stack_depth.size()))
-    return half(stats_.stack_depth[(address - RegisterStackDepth) / 8]);
-  const struct {
-    std::uint64_t begin;
-    const std::vector<int>& rows;
-  } lists[] = {{RegisterCameraClocks, stats_.camera_clocks},
-               {RegisterFirstEmit, stats_.first_emit},
-               {RegisterDoneClock, stats_.done_clock},
-               {RegisterBusyClocks, stats_.busy_clocks}};
-  for (const auto& list : lists)
-    if (in_table(list.begin, WordBytes * VisibleRows)) {
-      const std::size_t row = (address - list.begin) / WordBytes;
-      return {true, row < list.rows.size() ? static_cast<std::uint32_t>(list.rows[row]) : 0};
+  static const auto registers = counter_registers();
+  if (in_table(RegisterCounters, 8 * registers.size()))
+    return half(stats_.*registers[(address - RegisterCounters) / 8]);
+  std::uint64_t begin = RegisterHistograms;
+  for (const histogram_row& row : histogram_table()) {
+    const auto& values = stats_.*row.member;
+    if (in_table(begin, 8 * values.size())) return half(values[(address - begin) / 8]);
+    begin += HistogramPitch;
+  }
+  begin = RegisterLines;
+  for (const line_row& row : line_table()) {
+    if (in_table(begin, WordBytes * VisibleRows)) {
+      const auto& values = stats_.*row.member;
+      const std::size_t line = (address - begin) / WordBytes;
+      return {true, line < values.size() ? static_cast<std::uint32_t>(values[line]) : 0};
     }
+    begin += LinesPitch;
+  }
   return {false, 0};
-}
-
-const std::vector<counter_info>& counter_table() {
-  static const std::vector<counter_info> table = {
-      {"clocks", &frame_stats::clocks},
-      {"left_decisions", &frame_stats::left_decisions},
-      {"right_decisions", &frame_stats::right_decisions},
-      {"bisection_steps", &frame_stats::bisection_steps},
-      {"adjust_steps", &frame_stats::adjust_steps},
-      {"descents", &frame_stats::descents},
-      {"pushes", &frame_stats::pushes},
-      {"returns", &frame_stats::returns},
-      {"return_clocks", &frame_stats::return_clocks},
-      {"emits", &frame_stats::emits},
-      {"restarts", &frame_stats::restarts},
-      {"starved_pixels", &frame_stats::starved_pixels},
-      {"give_ups", &frame_stats::give_ups},
-      {"fifo_full_stalls", &frame_stats::fifo_full_stalls},
-      {"rooms_entered", &frame_stats::rooms_entered},
-  };
-  return table;
 }
 
 }  // namespace racebeam

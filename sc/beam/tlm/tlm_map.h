@@ -16,10 +16,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "sc/base/constants.h"
-#include "sc/beam/frame_stats.h"
+#include "sc/beam/counters.h"
 
 namespace racebeam {
 
@@ -39,21 +38,17 @@ enum register_address : std::uint64_t {
   RegisterReset = 0x020,       ///< write only: bit 0 resets the chip before its next line
   RegisterKnobs = 0x100,       ///< a word each, signed, in the order of knob_table()
   // Of the last whole frame; 0 before. 64 bits each, or words per visible line.
-  RegisterCounters = 0x200,       ///< in the order of counter_table()
-  RegisterFifoFill = 0x400,       ///< frame_stats::fifo_fill
-  RegisterStackDepth = 0x800,     ///< frame_stats::stack_depth
-  RegisterCameraClocks = 0x1000,  ///< frame_stats::camera_clocks
-  RegisterFirstEmit = 0x1800,     ///< frame_stats::first_emit
-  RegisterDoneClock = 0x2000,     ///< frame_stats::done_clock
-  RegisterBusyClocks = 0x2800,    ///< frame_stats::busy_clocks
+  RegisterCounters = 0x200,    ///< in the order of counter_registers()
+  RegisterHistograms = 0x400,  ///< in the order of histogram_table(), at HistogramPitch
+  RegisterFifoFill = 0x400,
+  RegisterStackDepth = 0x800,
+  RegisterLines = 0x1000,  ///< in the order of line_table(), at LinesPitch
+  RegisterCameraClocks = 0x1000,
+  RegisterFirstEmit = 0x1800,
+  RegisterDoneClock = 0x2000,
+  RegisterBusyClocks = 0x2800,
 };
+constexpr std::uint64_t HistogramPitch = 0x400, LinesPitch = 0x800;
 constexpr std::uint32_t RegisterIdValue = 0x6d616562;  // "beam"
-
-/// A counter of frame_stats.
-struct counter_info {
-  const char* name;
-  std::uint64_t frame_stats::*member;
-};
-const std::vector<counter_info>& counter_table();
 
 }  // namespace racebeam

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/bench/wired_bench.h"
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "sc/base/constants.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/simulate.h"
+#include "tb/monitor/pin_probe.h"
+
+namespace racebeam {
+
+namespace {
+
+/// Looks at the settled wires of every clock, at the edge that ends it.
+class EdgeProbe : public sc_core::sc_module {
+ public:
+  in_port<1> clk_i{"clk_i"};
+
+  explicit EdgeProbe(const sc_core::sc_module_name& name, std::function<void()> look)
+      : sc_module(name), look_(std::move(look)) {
+    SC_HAS_PROCESS(EdgeProbe);
+    SC_METHOD(sample);
+    sensitive << clk_i.pos();
+    dont_initialize();
+  }
+
+ private:
+  void sample() {
+    if (!std::exchange(in_reset_, false)) look_();
+  }
+
+  const std::function<void()> look_;
+  bool in_reset_ = true;  // the first edge
+};
+
+}  // namespace
+
+struct WiredBench::Platform {
+  const Setting setting;
+  const Watches watches;
+  const sc_core::sc_time period;
+  const Raster raster;
+  sc_core::sc_clock clk;
+  wire<1> rst_n{"rst_n"}, pwm{"pwm"};
+  wire<8> uo{"uo"};
+  const std::unique_ptr<wired_chip> dut;
+  VgaFrame picture;
+  VgaMonitor vga;
+  std::unique_ptr<SoundMonitor> sound;
+  PinProbe pins;
+  std::vector<std::unique_ptr<EdgeProbe>> probes;
+  std::vector<std::unique_ptr<Lockstep>> locksteps;
+  int next_frame = 0;
+  int frame_clock = 0;  // of the frame that is being simulated
+  std::uint64_t clocks = 0;
+
+  std::function<void()> look;
+  int looks = 0;  // how often it was changed
+
+  std::exception_ptr thrown;  // by look
+
+  Lockstep& put_beside(const std::string& name, const std::string& unit,
+                       const sc_core::sc_module& model);
+  void put_all_beside();
+  void probe(std::function<void()> see);
+  void look_each_clock();
+  void start(const sc_core::sc_time& time);
+
+  Platform(const Setting& s, const Watches& w)
+      : setting(s),
+        watches(w),
+        period(clock_period_ps(s.k.clocks_per_pixel), sc_core::SC_PS),
+        raster(s.k.clocks_per_pixel, s.k.speed),
+        clk("clk", period, 0.5, period),
+        dut(s.built.make_signal("chip", s.k, s.scene, s.units)),
+        vga(raster, [this](const VgaFrame& f) { picture = f; }, {w.crc, w.crc}),
+        sound(w.sound ? new SoundMonitor : nullptr),
+        pins("pins", period, period, &vga, sound.get()) {
+    dut->connect({clk, rst_n, uo, pwm});
+    pins.uo_i(uo);
+    pins.pwm_i(pwm);
+    if (w.stats) probe([this] { dut->count(); });
+    if (w.each_edge) probe([this] { watches.each_edge(*dut); });
+    put_all_beside();
+
+    // One edge in reset, after all wires have settled; then we stand inside the first clock of
+    // frame 0, and after each frame inside the first clock of the next.
+    simulate(period * 1.25);
+    dut->set_pins();
+    rst_n.write(true);
+  }
+};
+
+void WiredBench::Platform::probe(std::function<void()> see) {
+  const std::string name = "probe_" + std::to_string(probes.size());
+  probes.push_back(std::make_unique<EdgeProbe>(name.c_str(), std::move(see)));
+  probes.back()->clk_i(clk);
+}
+
+Lockstep& WiredBench::Platform::put_beside(const std::string& name, const std::string& unit,
+                                           const sc_core::sc_module& model) {
+  locksteps.push_back(std::make_unique<Lockstep>(("lockstep_" + name).c_str(), unit, model,
+                                                 setting.built.parameters(setting.k), setting.units.of(unit).plugin));
+  locksteps.back()->clk_i(clk);
+  if (watches.outlive_faults) locksteps.back()->outlive_faults();
+  return *locksteps.back();
+}
+
+// Puts the RTL beside the models that are to run in lockstep.
+void WiredBench::Platform::put_all_beside() {
+  const engine& built = setting.built;
+  for (const std::string& unit : built.unit_names(setting.scene != nullptr)) {
+    if (!setting.units.of(unit).lockstep) continue;
+    for (auto* child : dut->get_child_objects())
+      if (child->basename() == built.unit(unit)->instance())
+        put_beside(unit, unit, dynamic_cast<sc_core::sc_module&>(*child));
+  }
+  if (setting.units.of(built.top).lockstep) put_beside("top", built.top, *dut).check_wiring(*dut);
+}
+
+WiredBench::WiredBench(const Setting& setting) : WiredBench(setting, {}) {}
+WiredBench::WiredBench(const Setting& setting, const Watches& watches)
+    : platform_(new Platform(setting, watches)) {}
+WiredBench::~WiredBench() = default;
+
+void WiredBench::seek(int frame) {
+  if (frame == platform_->next_frame) return;
+  platform_->dut->deposit(frame);
+  for (auto& lockstep : platform_->locksteps)
+    lockstep->deposit(
+        [&](rtl_instance& rtl) { platform_->dut->deposit_beside(lockstep->unit(), rtl, frame); });
+  platform_->next_frame = frame;
+}
+
+void WiredBench::advance(int clocks) {
+  Platform& p = *platform_;
+  const int end = p.frame_clock + std::min(clocks, p.raster.frame_clocks() - p.frame_clock);
+  for (bool begins = true; p.frame_clock < end; begins = false) {
+    if (!begins && interrupted()) throw Interrupted();
+    const int count = std::min(end - p.frame_clock, p.raster.line_clocks());
+    p.start(count * p.period);
+    p.clocks += count;
+    p.frame_clock += count;
+  }
+  if (p.frame_clock < p.raster.frame_clocks()) return;
+  p.frame_clock = 0;
+  p.next_frame = (p.next_frame + 1) % p.setting.frames;
+  p.pins.advance();
+}
+
+WiredBench::Frame WiredBench::render() {
+  Platform& p = *platform_;
+  const int number = p.next_frame;
+  advance(p.raster.frame_clocks());
+  Frame frame{number, p.picture, {}, {}};
+  if (p.watches.stats) frame.stats = p.dut->take_counts();
+  return frame;
+}
+
+void WiredBench::settle() {
+  while (sc_core::sc_pending_activity_at_current_time()) platform_->start(sc_core::SC_ZERO_TIME);
+  for (auto& lockstep : platform_->locksteps) lockstep->settle();
+}
+
+void WiredBench::Platform::start(const sc_core::sc_time& time) {
+  simulate(time);
+  if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+}
+
+void WiredBench::each_clock(std::function<void()> look) {
+  platform_->look = std::move(look);
+  ++platform_->looks;
+  if (platform_->look) platform_->look_each_clock();
+}
+
+// A process that wakes itself as long as nobody else is to look.
+void WiredBench::Platform::look_each_clock() {
+  sc_core::sc_spawn_options process;
+  process.spawn_method();
+  sc_core::sc_spawn(
+      [this, mine = looks] {
+        if (mine != looks) return;
+        for (auto& lockstep : locksteps) lockstep->settle();
+        try {
+          look();
+        } catch (...) {  // the kernel would make another one of it
+          thrown = std::current_exception();
+          return;
+        }
+        sc_core::next_trigger(period);
+      },
+      sc_core::sc_gen_unique_name("look"), &process);
+}
+
+void WiredBench::watch_registers() {
+  for (auto* child : platform_->dut->get_child_objects())
+    if (auto* unit = dynamic_cast<probed*>(child)) unit->watch();
+}
+
+void WiredBench::forget_differences() {
+  for (auto& lockstep : platform_->locksteps) lockstep->forget();
+}
+
+const wired_chip& WiredBench::dut() const { return *platform_->dut; }
+
+std::vector<const Lockstep*> WiredBench::locksteps() const {
+  std::vector<const Lockstep*> all;
+  for (const auto& lockstep : platform_->locksteps) all.push_back(lockstep.get());
+  return all;
+}
+
+int WiredBench::period_ps() const { return clock_period_ps(platform_->setting.k.clocks_per_pixel); }
+
+std::uint64_t WiredBench::clocks() const { return platform_->clocks; }
+const SoundMonitor* WiredBench::sound() const { return platform_->sound.get(); }
+
+}  // namespace racebeam

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/engines.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sc/beam/engine.h"
+
+namespace racebeam {
+
+const std::vector<const engine*>& engines() {
+  static const std::vector<const engine*> table = {&beam_engine()};
+  return table;
+}
+
+bool is_whole_chip(const std::string& unit) {
+  return std::any_of(engines().begin(), engines().end(),
+                     [&](const engine* one) { return unit == one->top; });
+}
+
+const engine& engine_of_unit(const std::string& unit) {
+  for (const engine* one : engines())
+    if (unit == one->top || one->unit(unit)) return *one;
+  throw std::out_of_range("no engine has a unit " + unit);
+}
+
+}  // namespace racebeam
