@@ -42,7 +42,8 @@ struct state_row {
 
 struct engine {
   const char* name;
-  const char* top;  ///< all units wired in RTL: beside the chip only, in lockstep
+  std::vector<const char*> levels;  ///< "tlm", "signal": the first one if nobody says
+  const char* top;                  ///< all units wired in RTL: beside the chip only, in lockstep
   const std::vector<unit_row>& units;  ///< in the order of the datapath
   std::vector<counter_info> counters;
   std::vector<histogram_info> histograms;

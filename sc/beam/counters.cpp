@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/beam/counters.h"
 
+#include "sc/beam/knobs.h"
+
 namespace racebeam {
 
 const std::vector<counter_row>& counter_table() {

@@ -27,6 +27,7 @@ std::unique_ptr<wired_chip> make_chip(const char* name, const knobs& k, const sc
 
 const engine& beam_engine() {
   static const engine row = {"beam",
+                             {"tlm", "signal"},
                              WholeChip,
                              unit_table(),
                              infos_of(counter_table()),

@@ -27,7 +27,7 @@ std::unique_ptr<sc_core::sc_module> make(const char* instance, const knobs& k,
 
 template <>
 std::unique_ptr<sc_core::sc_module> make<vga_timing>(const char* instance, const knobs& k,
-                                                     const scene_program*) {
+                                                     const scene_tables*) {
   return std::make_unique<vga_timing>(instance, k.clocks_per_pixel);
 }
 

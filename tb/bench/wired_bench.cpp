@@ -106,7 +106,8 @@ void WiredBench::Platform::probe(std::function<void()> see) {
 Lockstep& WiredBench::Platform::put_beside(const std::string& name, const std::string& unit,
                                            const sc_core::sc_module& model) {
   locksteps.push_back(std::make_unique<Lockstep>(("lockstep_" + name).c_str(), unit, model,
-                                                 setting.built.parameters(setting.k), setting.units.of(unit).plugin));
+                                                 setting.built.parameters(setting.k),
+                                                 setting.units.of(unit).plugin));
   locksteps.back()->clk_i(clk);
   if (watches.outlive_faults) locksteps.back()->outlive_faults();
   return *locksteps.back();

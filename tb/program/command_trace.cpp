@@ -13,9 +13,10 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/program/common_options.h"
+#include "tb/trace/beam_transaction_bench.h"
+#include "tb/trace/beam_trigger.h"
 #include "tb/trace/event_watch.h"
 #include "tb/trace/trace_tt.h"
-#include "tb/trace/trigger.h"
 #include "tb/trace/window_writer.h"
 #include "tb/wave/clocked_waves.h"
 #include "tb/wave/diff_report.h"
@@ -122,12 +123,17 @@ int command_trace(const TraceOptions& options) {
   if (window && !options.picture.empty())
     check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
   if (options.transactions())
-    return writer.write_transactions(run.k, run.show.program(), raster, *window);
+    return writer.write_frames(
+        [&](VcdWriter& vcd) {
+          return std::make_unique<TransactionBench>(run.k, run.show.program(), raster,
+                                                    writer.selection, writer.part, vcd);
+        },
+        raster, clock_period_ps(run.k.clocks_per_pixel), *window);
 
   use_units(run, options.units, true);
   if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
-  WiredBench bench({run.show.engine(), run.k, run.show.program(), run.show.frames(), run.units});
+  WiredBench bench({run.show.engine(), run.k, run.show.tables(), run.show.frames(), run.units});
   if (!window) return watch(options, reader, bench, raster, writer);
   TraceRun traced(bench, raster, window->from.frame);
   return writer.write(traced, *window);

@@ -67,7 +67,7 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   const auto start = std::chrono::steady_clock::now();
   WiredBench::Watches watches;
   watches.outlive_faults = true;
-  WiredBench bench({show.engine(), k, show.program(), show.frames(), choices}, watches);
+  WiredBench bench({show.engine(), k, show.tables(), show.frames(), choices}, watches);
   const Raster raster(k.clocks_per_pixel, k.speed);
   std::vector<int> frames;
   Progress progress(static_cast<int>(options.frames));
@@ -144,7 +144,7 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
   };
   for (const auto& [unit, choice] : choices.by_unit) {
     if (unit == show.engine().top) continue;  // the whole chip has its own traffic only
-    const UnitUnderTest dut{unit, choice.plugin, k, show.program()};
+    const UnitUnderTest dut{unit, choice.plugin, k, show.tables(), show.frames()};
     try {
       if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
         verify(dut, Stimulus::Walk, clocks);
@@ -172,7 +172,7 @@ Run plan_verify(const VerifyOptions& options) {
 
 int command_verify(const VerifyOptions& options) {
   auto [show, level, k, choices] = plan_verify(options);
-  const UseOption use(show.engine(), k, show.program());
+  const UseOption use(show.engine(), k, show.tables());
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
   catch_interrupts();

@@ -18,8 +18,8 @@
 #include "tb/program/view_setting.h"
 #include "tb/program/view_tt.h"
 #include "tb/show/open_show.h"
-#include "tb/view/signal_source.h"
-#include "tb/view/tlm_source.h"
+#include "tb/view/beam_signal_source.h"
+#include "tb/view/beam_tlm_source.h"
 
 namespace racebeam {
 

@@ -25,7 +25,7 @@ constexpr std::uint64_t Batch = 10000;  // clocks, then it looks
 
 /// No episode is long enough to count there. One in four: the last frame.
 int any_frame(const UnitUnderTest& dut, unsigned random) {
-  const unsigned frames = dut.program ? static_cast<unsigned>(dut.program->frames) : DemoFrames;
+  const auto frames = static_cast<unsigned>(dut.frames);
   return static_cast<int>(random % 4 == 0 ? frames - 1 : random / 4 % frames);
 }
 
@@ -39,7 +39,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
   const engine& built = engine_of_unit(dut.unit);
-  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.program);
+  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.scene);
   Lockstep lockstep("lockstep", dut.unit, *model, built.parameters(dut.k), dut.plugin);
   lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "sc/beam/scene_program.h"
+#include "sc/base/engine.h"
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_report.h"
 
@@ -40,7 +40,8 @@ struct UnitVerdict {
 struct UnitUnderTest {
   std::string unit, plugin;  ///< plugin: empty for the unit's own RTL
   knobs k;
-  const scene_program* program;  ///< for timeline and scene_rom
+  const scene_tables* scene;  ///< for units that show scene files
+  int frames;                 ///< of the show
 };
 
 /// What drives a unit alone: RandomTraffic, or a walk through what that does not reach.

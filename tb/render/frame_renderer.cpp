@@ -23,7 +23,7 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
     return std::make_unique<SignalBench>(SignalBench::Options{
         plan.k, true, plan.checksums(), sound, plan.show.program(), plan.units, maps});
   return std::make_unique<WiredBench>(
-      WiredBench::Setting{plan.show.engine(), plan.k, plan.show.program(), plan.show.frames(),
+      WiredBench::Setting{plan.show.engine(), plan.k, plan.show.tables(), plan.show.frames(),
                           plan.units},
       WiredBench::Watches{true, plan.checksums(), sound});
 }

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/scene/engines.h"
+
 namespace racebeam {
 
 constexpr int FaceCount = 6;
@@ -101,7 +103,8 @@ struct Shot {
 
 struct SceneFile {
   std::string name;
-  int frames = 0;           ///< length of the timeline
+  const racebeam::engine* engine = engines().front();  ///< what shows it
+  int frames = 0;                                      ///< length of the timeline
   int corner_bits = 0;      ///< as the author wants it; 0: as many as needed
   bool wrap = false;        ///< far corners may exceed corner_bits, as on the chip
   bool overlap = false;     ///< rooms may overlap and portals may lead anywhere

@@ -7,6 +7,7 @@ namespace racebeam {
 const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = {
       {"", "name", "text", "the file's name", "shown in reports"},
+      {"", "engine", "name", "beam", "the kind of chip that shows it"},
       {"", "frames", "1..16383", "600 after the last shot", "length; the chip shows 60 a second"},
       {"", "corner_bits", "10..16", "as needed", "width of each corner coordinate"},
       {"", "wrap", "true, false", "false", "corners beyond corner_bits may wrap, as on the chip"},

@@ -25,6 +25,9 @@ constexpr std::uintmax_t LargestFile = 16 << 20;
 void read_top(const TomlNode& root, SceneFile& scene, Faults& faults) {
   const TableReader top(root, "", faults);
   top.read("name", scene.name);
+  std::vector<std::string> names;
+  for (const engine* one : engines()) names.emplace_back(one->name);
+  if (int number = 0; top.read_choice("engine", names, number)) scene.engine = engines()[number];
   top.read("frames", 1, MaxFrames, scene.frames, FrameBitsHelp);
   top.read("corner_bits", MinCornerBits, MaxCornerBits, scene.corner_bits);
   top.read("wrap", scene.wrap);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/show/run.h"
 
+#include <algorithm>
+
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
 #include "tb/show/open_show.h"
@@ -13,11 +15,12 @@ namespace racebeam {
 namespace {
 
 // RTL has pins: it needs a chip that is wired.
-std::string level_of(const RunOptions& options, bool wired) {
+std::string level_of(const RunOptions& options, const engine& built, bool wired) {
   const std::string& level = options.level;
-  if (level.empty()) return wired || !options.units.empty() ? LevelSignal : LevelTlm;
-  if (level != LevelTlm && level != LevelSignal)
-    throw unknown_name("level", level, {LevelTlm, LevelSignal});
+  if (level.empty()) return wired || !options.units.empty() ? LevelSignal : built.levels.front();
+  const std::vector<std::string> known(built.levels.begin(), built.levels.end());
+  if (std::find(known.begin(), known.end(), level) == known.end())
+    throw unknown_name("level", level, known);
   if (level == LevelTlm && !options.units.empty())
     throw UsageError(
         "--use puts RTL between the wires of --level signal; tlm has none: leave out --level tlm, "
@@ -41,13 +44,12 @@ knobs knobs_of(const Show& show, const std::vector<std::string>& assignments) {
 }
 
 Run open_run(const RunOptions& options, bool wired) {
-  const std::string level = level_of(options, wired);
   const Show show = open_show(options.scene);
-  return {show, level, knobs_of(show, options.assignments)};
+  return {show, level_of(options, show.engine(), wired), knobs_of(show, options.assignments)};
 }
 
 void use_units(Run& run, const std::vector<std::string>& units, bool traced) {
-  const UseOption use(run.show.engine(), run.k, run.show.program(), traced);
+  const UseOption use(run.show.engine(), run.k, run.show.tables(), traced);
   for (const std::string& choice : units) use.use(run.units, choice);
 }
 

@@ -5,16 +5,15 @@
 #include <utility>
 
 #include "sc/base/constants.h"
-#include "sc/beam/engine.h"
 #include "tb/scene/scene_compiler.h"
 #include "tb/show/demo_parts.h"
 
 namespace racebeam {
 
-Show::Show() : engine_(&beam_engine()), name_("demo"), hash_("built-in"), frames_(DemoFrames) {}
+Show::Show() : engine_(engines().front()), name_("demo"), hash_("built-in"), frames_(DemoFrames) {}
 
 Show::Show(SceneFile scene, std::string hash)
-    : engine_(&beam_engine()),
+    : engine_(scene.engine),
       name_(scene.name),
       hash_(std::move(hash)),
       frames_(scene.frames),

@@ -33,7 +33,10 @@ class Show {
   const std::string& hash() const { return hash_; }
   /// Frames 0..frames() - 1, then it starts again.
   int frames() const { return frames_; }
-  /// The tables for the chip; nullptr: the built-in demo. They live as long as some copy of this.
+  /// The tables for any chip; nullptr: the built-in demo. They live as long as some copy of this.
+  const scene_tables* tables() const { return program_.get(); }
+  /// The same for the chip of beam; nullptr: the built-in demo. They live as long as some copy of
+  /// this.
   const scene_program* program() const { return program_.get(); }
   /// What the tables were made from, and its camera's way; nullptr: the built-in demo.
   const SceneFile* scene() const { return scene_.get(); }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tb/base/nearest.h"
-#include "tb/trace/trigger.h"
+#include "tb/trace/beam_trigger.h"
 #include "tb/wave/draw_waveform.h"
 #include "tb/wave/wave_file.h"
 

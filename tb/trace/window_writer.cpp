@@ -10,7 +10,6 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/trace/line_progress.h"
-#include "tb/trace/transaction_bench.h"
 
 namespace racebeam {
 
@@ -56,23 +55,23 @@ void WindowWriter::check(ClockedRun& run) const {
   TraceFiles(output, picture, "", vcd);
 }
 
-int WindowWriter::write_transactions(const knobs& k, const scene_program* program,
-                                     const Raster& raster, const TraceWindow& window) const {
-  const int period = clock_period_ps(k.clocks_per_pixel);
+int WindowWriter::write_frames(const std::function<std::unique_ptr<FramedRun>(VcdWriter&)>& make,
+                               const Raster& raster, int period_ps,
+                               const TraceWindow& window) const {
   VcdWriter vcd;
-  TransactionTrace trace(raster, period, selection, part, vcd);
+  const std::unique_ptr<FramedRun> run = make(vcd);
   TraceFiles files(output, picture, "racebeam: " + name, vcd);
   announce(TraceSize::of_transactions(window.to.ordinal(raster) - window.from.ordinal(raster) + 1));
   Progress progress(window.to.frame - window.from.frame + 1);
   std::int64_t frames = 0;
-  const std::int64_t clocks = TransactionBench(k, program, raster, trace).run(window, [&] {
+  const std::int64_t clocks = run->run(window, [&] {
     progress.draw(frames, static_cast<std::uint64_t>(frames * raster.frame_clocks()),
                   bytes_text(static_cast<double>(vcd.bytes())));
     ++frames;
     return interrupted();
   });
   progress.clear();
-  return finish(files, vcd, {window, raster, period, clocks, ShortTransaction});
+  return finish(files, vcd, {window, raster, period_ps, clocks, ShortTransaction});
 }
 
 void WindowWriter::announce(const TraceSize& size) const {

@@ -5,10 +5,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
-#include "sc/beam/scene_program.h"
 #include "tb/trace/clocked_run.h"
+#include "tb/trace/framed_run.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
 #include "tb/trace/trace_window.h"
@@ -28,9 +29,9 @@ struct WindowWriter {
   int write(ClockedRun& run, const TraceWindow& window) const;
   /// Throws what write() would throw before its first clock.
   void check(ClockedRun& run) const;
-  /// As write(), of the transactions of the tlm level.
-  int write_transactions(const knobs& k, const scene_program* program, const Raster& raster,
-                         const TraceWindow& window) const;
+  /// As write(), of what `make` makes for a VCD: transactions, most of them short.
+  int write_frames(const std::function<std::unique_ptr<FramedRun>(VcdWriter&)>& make,
+                   const Raster& raster, int period_ps, const TraceWindow& window) const;
 
  private:
   struct Written {

@@ -9,6 +9,7 @@
 #include "sc/base/constants.h"
 #include "sc/base/fixed_point.h"
 #include "sc/beam/knob_parameters.h"
+#include "sc/beam/scene_program.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/scene/program_tables.h"
 #include "tb/verilate/cache_folder.h"
@@ -52,7 +53,8 @@ auto below(int count) {
 
 }  // namespace
 
-PluginMaker beam_plugins(const knobs& k, const scene_program* program, bool traced) {
+PluginMaker beam_plugins(const knobs& k, const scene_tables* scene, bool traced) {
+  const auto* program = static_cast<const scene_program*>(scene);
   return PluginMaker(
       knob_parameters(k), [program](const std::string& unit) { return tables(unit, program); },
       traced);

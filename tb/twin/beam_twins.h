@@ -4,17 +4,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/engine.h"
 #include "sc/beam/knobs.h"
-#include "sc/beam/scene_program.h"
 #include "tb/twin/legal_inputs.h"
 #include "tb/twin/plugin_maker.h"
 
 namespace racebeam {
 
-/// Plug-ins for chips with the knobs `k` that show `program`, which must outlive the maker;
+/// Plug-ins for chips with the knobs `k` that show `scene`, which must outlive the maker;
 /// nullptr: the built-in demo. `traced`: signals inside the RTL can be read.
-PluginMaker beam_plugins(const knobs& k, const scene_program* program = nullptr,
-                         bool traced = false);
+PluginMaker beam_plugins(const knobs& k, const scene_tables* scene = nullptr, bool traced = false);
 
 /// The widths of a chip with the knobs `k`.
 LegalInputs beam_inputs(const knobs& k);

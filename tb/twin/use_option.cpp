@@ -44,11 +44,11 @@ const std::vector<std::string>& own_implementations() {
   return words;
 }
 
-UseOption::UseOption(const engine& built, const knobs& k, const scene_program* program, bool traced)
+UseOption::UseOption(const engine& built, const knobs& k, const scene_tables* scene, bool traced)
     : engine_(built),
-      scene_file_(program != nullptr),
-      wired_(!program && is_taped_out(k)),
-      plugins_(beam_plugins(k, program, traced)) {}
+      scene_file_(scene != nullptr),
+      wired_(!scene && is_taped_out(k)),
+      plugins_(beam_plugins(k, scene, traced)) {}
 
 void UseOption::check_unit(const std::string& unit) const {
   std::vector<std::string> known = engine_.unit_names(scene_file_);

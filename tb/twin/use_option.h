@@ -23,9 +23,9 @@ const std::vector<std::string>& own_implementations();
 /// Reads choices for one chip.
 class UseOption {
  public:
-  /// A chip of `built` with the knobs `k` that shows `program`; nullptr: the built-in demo.
+  /// A chip of `built` with the knobs `k` that shows `scene`; nullptr: the built-in demo.
   /// `traced`: signals inside the RTL can be read.
-  UseOption(const engine& built, const knobs& k, const scene_program* program, bool traced = false);
+  UseOption(const engine& built, const knobs& k, const scene_tables* scene, bool traced = false);
 
   /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
   /// "stacks=mine.f", "stacks=mine.so", or several with commas between; later ones replace earlier

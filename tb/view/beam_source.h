@@ -7,7 +7,7 @@
 
 #include "sc/beam/knobs.h"
 #include "tb/bench/beam_watch.h"
-#include "tb/view/frame_sound.h"
+#include "tb/view/beam_sound.h"
 #include "tb/view/frame_source.h"
 
 namespace racebeam {
@@ -27,7 +27,7 @@ class BeamSource : public FrameSource {
   BeamWatch watch_;
 
  private:
-  FrameSound sound_;
+  BeamSound sound_;
 };
 
 }  // namespace racebeam

@@ -10,7 +10,6 @@
 
 #include <string>
 
-#include "sc/beam/knobs.h"
 #include "tb/picture/rgb_image.h"
 #include "tb/view/frame_source.h"
 #include "tb/view/view_control.h"

@@ -54,6 +54,8 @@ const Bad BadScenes[] = {
     {"Fraction", "frames = 1.5\n" + cell_and(""), "1:10: 'frames' is a number with a point",
      "a whole number"},
     {"Date", "frames = 1979-05-27\n" + cell_and(""), "1:10: 'frames' is a date", "a whole number"},
+    {"UnknownEngine", "engine = \"bean\"\n" + cell_and(""), "1:10: 'engine' is 'bean'",
+     "it must be one of beam"},
     {"NotABoolean", "wrap = 1\n" + cell_and(""), "1:8: 'wrap' is a whole number", "true or false"},
     {"ShortVector", cell_and("[camera]\nposition = [1, 2]\n"), "4:12: 'position' is an array",
      "[x, y, z]"},

@@ -12,9 +12,9 @@
 #include <numeric>
 
 #include "tb/bench/core_bench.h"
-#include "tb/view/frame_sound.h"
-#include "tb/view/signal_source.h"
-#include "tb/view/tlm_source.h"
+#include "tb/view/beam_signal_source.h"
+#include "tb/view/beam_sound.h"
+#include "tb/view/beam_tlm_source.h"
 #include "tests/support/expect_stats.h"
 
 namespace racebeam {
@@ -124,12 +124,12 @@ TEST(BeamScreen, FindsItsPlaceByTheSyncsAlone) {
   EXPECT_EQ(screen.colours(), bench.picture());
 }
 
-TEST(FrameSound, IsTheMeanLevelOfTheChipsPin) {
+TEST(BeamSound, IsTheMeanLevelOfTheChipsPin) {
   const knobs k;
   chip_core chip;
   chip.clock(false, k);
   chip.deposit(6300, k);
-  FrameSound sound;
+  BeamSound sound;
   const std::vector<float> samples = sound.play(6300);
   ASSERT_EQ(samples.size(), static_cast<std::size_t>(FrameSamples));
   EXPECT_GT(*std::max_element(samples.begin(), samples.end()), 0.05F);

@@ -11,7 +11,7 @@
 #include "tb/bench/core_bench.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/show/show.h"
-#include "tb/view/tlm_source.h"
+#include "tb/view/beam_tlm_source.h"
 
 namespace racebeam {
 namespace {

@@ -11,7 +11,7 @@
 #include "tb/base/errors.h"
 #include "tb/bench/core_bench.h"
 #include "tb/scene/scene_reader.h"
-#include "tb/view/tlm_source.h"
+#include "tb/view/beam_tlm_source.h"
 #include "tb/view/viewer.h"
 #include "tests/support/scratch_folder.h"
 

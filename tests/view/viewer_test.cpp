@@ -10,8 +10,8 @@
 
 #include "tb/base/errors.h"
 #include "tb/bench/core_bench.h"
+#include "tb/view/beam_tlm_source.h"
 #include "tb/view/map_picture.h"
-#include "tb/view/tlm_source.h"
 #include "tests/support/gif_delays.h"
 #include "tests/support/scratch_folder.h"
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/trace/transaction_bench.h"
+#include "tb/trace/beam_transaction_bench.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sc/beam/tlm/tlm_chip.h"
 
@@ -39,18 +40,19 @@ class DisplayProbe : public sc_core::sc_module {
 
 struct TransactionBench::Platform {
   const Raster& raster;
-  TransactionTrace& trace;
+  TransactionTrace trace;
   const sc_core::sc_time period, frame_time;
   tlm_chip dut;
   DisplayProbe display;
 
-  Platform(const knobs& k, const scene_program* program, const Raster& r, TransactionTrace& t)
+  Platform(const knobs& k, const scene_program* program, const Raster& r,
+           const TraceSelection& selection, std::function<std::string(int)> part, VcdWriter& vcd)
       : raster(r),
-        trace(t),
+        trace(r, clock_period_ps(k.clocks_per_pixel), selection, std::move(part), vcd),
         period(clock_period_ps(k.clocks_per_pixel), sc_core::SC_PS),
         frame_time(r.frame_clocks() * period),
-        dut("chip", {k, program, false, false, &t}),
-        display("display", period, t) {
+        dut("chip", {k, program, false, false, &trace}),
+        display("display", period, trace) {
     tlm::tlm_global_quantum::instance().set(frame_time);
     dut.display_socket.bind(display.socket);
     sc_core::sc_start(period / 2);  // the chip is in reset for a clock; we stand inside it
@@ -58,8 +60,9 @@ struct TransactionBench::Platform {
 };
 
 TransactionBench::TransactionBench(const knobs& k, const scene_program* program,
-                                   const Raster& raster, TransactionTrace& trace)
-    : platform_(new Platform(k, program, raster, trace)) {}
+                                   const Raster& raster, const TraceSelection& selection,
+                                   std::function<std::string(int)> part, VcdWriter& vcd)
+    : platform_(new Platform(k, program, raster, selection, std::move(part), vcd)) {}
 TransactionBench::~TransactionBench() = default;
 
 std::int64_t TransactionBench::run(const TraceWindow& window, const std::function<bool()>& stop) {

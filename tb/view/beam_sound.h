@@ -1,4 +1,4 @@
-// FrameSound: the sound pin of whole frames, without the rest of the chip.
+// BeamSound: the sound pin of whole frames, without the rest of the chip.
 //
 // The sound depends on the frame counter alone, so a viewer that leaves out frames can play it
 // whole: pwm_sound's own core runs line by line, and each of its pulses becomes the mean level of
@@ -15,7 +15,7 @@
 
 namespace racebeam {
 
-class FrameSound {
+class BeamSound {
  public:
   static_assert(SampleRate == FrameSource::SoundRate);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/view/frame_sound.h"
+#include "tb/view/beam_sound.h"
 
 #include <cmath>
 #include <numeric>
@@ -15,7 +15,7 @@ constexpr double Pi = 3.14159265358979323846;
 
 }  // namespace
 
-std::vector<float> FrameSound::play(int frame) {
+std::vector<float> BeamSound::play(int frame) {
   static const double pull = 1 - std::exp(-2 * Pi * CapacitorHz / SampleRate);
   std::vector<float> samples;
   samples.reserve(FrameSamples);

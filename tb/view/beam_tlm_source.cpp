@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/view/tlm_source.h"
+#include "tb/view/beam_tlm_source.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/view/signal_source.h"
+#include "tb/view/beam_signal_source.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/trace/trigger.h"
+#include "tb/trace/beam_trigger.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/trace/transaction_trace.h"
+#include "tb/trace/beam_transaction_trace.h"
 
 #include <fmt/format.h>
 
