@@ -71,7 +71,7 @@ StatsReport::StatsReport(const engine& counter, std::string scene, std::string l
 }
 
 nlohmann::ordered_json StatsReport::json_of_counts(const frame_counts& counts) const {
-  Json json;
+  Json json = Json::object();
   for (std::size_t n = 0; n < counts.counters.size(); ++n)
     json[engine_.counters[n].name] = counts.counters[n];
   for (std::size_t n = 0; n < counts.histograms.size(); ++n) {
@@ -83,7 +83,7 @@ nlohmann::ordered_json StatsReport::json_of_counts(const frame_counts& counts) c
 
 nlohmann::ordered_json StatsReport::json_of_lines(const std::vector<LineSpread>& lines,
                                                   bool whole_run) const {
-  Json json;
+  Json json = Json::object();
   for (std::size_t n = 0; n < lines.size(); ++n)
     json[engine_.lines[n].name] = json_of(lines[n], engine_.lines[n], whole_run);
   return json;

@@ -78,6 +78,18 @@ TEST(StatsReportTest, TotalNamesTheWorstLineOfTheRun) {
   EXPECT_EQ(busy.at("sum"), 1300);
 }
 
+TEST(StatsReportTest, AnEngineMayCountNothingButItsOwnCounters) {
+  engine other = beam_engine();
+  other.counters = {{"words", "words", 8}};
+  other.histograms.clear();
+  other.lines.clear();
+  StatsReport report(other, "plain", "signal", {});
+  for (const std::uint64_t words : {3, 4}) report.add(0, "", {{words}, {}, {}}, {}, false);
+  const json document = report_of(report);
+  EXPECT_EQ(document.at("frames")[1], (json{{"frame", 0}, {"part", ""}, {"words", 4}}));
+  EXPECT_EQ(document.at("total"), (json{{"frames", 2}, {"words", 7}}));
+}
+
 TEST(StatsReportTest, CrcsAreEightHexDigits) {
   StatsReport report(beam_engine(), "demo", "signal", {});
   VgaFrame picture;
