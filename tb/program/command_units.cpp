@@ -29,10 +29,12 @@ const char* shows_text(unit_row::use shows) {
 }
 
 /// Nothing where no RTL is installed.
-std::string rtl_text(const unit_row& row) {
+std::string rtl_text(const unit_row& row) try {
   const std::string file = rtl_file(row.name);
   std::error_code error;
   return std::filesystem::exists(file, error) ? file : "";
+} catch (const MissingTool&) {
+  return "";
 }
 
 std::string table() {

@@ -43,7 +43,10 @@ Words units() {
 }
 
 Words knob_names() {
-  return words_of(knob_table(), [](const knob_info& row) { return row.name; });
+  Words names;
+  for (const knob_info& row : knob_table())
+    if (!row.of_scene) names.emplace_back(row.name);
+  return names;
 }
 
 Words values_of_knob(const std::string& name) {
