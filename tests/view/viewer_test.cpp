@@ -192,7 +192,7 @@ TEST_F(ViewerTest, AMapReplacesThePictureAndBringsItsBar) {
   press(viewer, "1");
   const RgbImage picture = viewer.picture();
   const RgbImage map = map_picture(
-      make_map(MapKind::Slack, viewer.source().watch().intervals(), Raster()), "demo frame 7223");
+      make_map(MapKind::Slack, viewer.source().intervals(), Raster()), "demo frame 7223");
   ASSERT_EQ(picture.height(), map.height());
   EXPECT_TRUE(
       std::equal(map.bytes(), map.bytes() + 3 * map.width() * map.height(), picture.bytes()));
@@ -234,7 +234,7 @@ TEST_F(ViewerTest, BordersStandOnTheLastColumnOfEachInterval) {
   viewer.tick(0, in_time);
   press(viewer, "i");
   auto expected = frame(60);
-  for (const IntervalEvent& event : viewer.source().watch().intervals())
+  for (const IntervalEvent& event : viewer.source().intervals())
     if (event.to < LastPixel)
       expected[(event.y - FirstVisibleLine) * VisibleColumns + event.to + 1] = {64, 255, 160};
   EXPECT_TRUE(pixels(viewer.picture()) == expected);
