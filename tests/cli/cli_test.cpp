@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <set>
 
+#include "sc/beam/knobs.h"
 #include "tb/program/command.h"
 #include "tb/program/value_words.h"
 #include "tests/cli/program.h"
