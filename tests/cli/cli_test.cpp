@@ -127,7 +127,7 @@ TEST_F(CliTest, CompletionGoesOnWhereTheLineEnds) {
   EXPECT_EQ(complete({"bench", "--json", "level"}), "levels\t\n");
   EXPECT_THAT(complete({"verify", "sta"}), AllOf(HasSubstr("stacks\t\n"), Not(HasSubstr(":"))));
   EXPECT_EQ(complete({"verify", "stacks=m"}), ":files\n");
-  EXPECT_EQ(complete({"render", "-o", ""}), ":folders\n");
+  EXPECT_EQ(complete({"verify", "-o", ""}), ":folders\n");
   EXPECT_EQ(complete({}), "");
 }
 
