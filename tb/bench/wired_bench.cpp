@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sc/base/constants.h"
+#include "sc/swap/rtl_parameters.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/simulate.h"

@@ -15,8 +15,8 @@
 #include "tb/render/render_options.h"
 #include "tb/show/level.h"
 #include "tb/show/open_show.h"
+#include "tb/trace/beam_trigger.h"
 #include "tb/trace/trace_options.h"
-#include "tb/trace/trigger.h"
 #include "tb/twin/use_option.h"
 #include "tb/view/frame_maps.h"
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "sc/base/engine.h"
+#include "sc/beam/knobs.h"
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_report.h"
 

@@ -191,8 +191,8 @@ TEST_F(ViewerTest, AMapReplacesThePictureAndBringsItsBar) {
   viewer.tick(0, in_time);
   press(viewer, "1");
   const RgbImage picture = viewer.picture();
-  const RgbImage map = map_picture(
-      make_map(MapKind::Slack, viewer.source().intervals(), Raster()), "demo frame 7223");
+  const RgbImage map = map_picture(make_map(MapKind::Slack, viewer.source().intervals(), Raster()),
+                                   "demo frame 7223");
   ASSERT_EQ(picture.height(), map.height());
   EXPECT_TRUE(
       std::equal(map.bytes(), map.bytes() + 3 * map.width() * map.height(), picture.bytes()));
