@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "sc/beam/pwm_sound.h"
 #include "tb/tt/tt_bench.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/view/frame_source.h"
