@@ -7,11 +7,14 @@
 
 #include <memory>
 #include <string>
-#include <systemc>
 #include <vector>
 
 #include "sc/base/frame_counts.h"
 #include "sc/base/unit_choices.h"
+
+namespace sc_core {
+class sc_module;
+}
 
 namespace racebeam {
 

@@ -84,7 +84,7 @@ std::string draw_platform(const FigureSubject& subject) {
   reads(RegisterFrames, "frames since the start");
   reads(RegisterReset, "write 1: the chip starts anew");
   reads(RegisterKnobs, fmt::format("its {} knobs", knob_table().size()));
-  reads(RegisterCounters, fmt::format("{} counters of the last frame", counter_table().size()));
+  reads(RegisterCounters, fmt::format("{} counters of the last frame", counter_registers().size()));
   const auto row = static_cast<std::uint64_t>(shown);
   sheet.text({500, 294},
              fmt::format("{}  this line, {} bytes, one a pixel", hex(VisibleColumns * row),
