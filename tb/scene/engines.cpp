@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/engines.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "sc/beam/engine.h"
@@ -12,11 +11,6 @@ namespace racebeam {
 const std::vector<const engine*>& engines() {
   static const std::vector<const engine*> table = {&beam_engine()};
   return table;
-}
-
-bool is_whole_chip(const std::string& unit) {
-  return std::any_of(engines().begin(), engines().end(),
-                     [&](const engine* one) { return unit == one->top; });
 }
 
 const engine& engine_of_unit(const std::string& unit) {

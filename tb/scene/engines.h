@@ -14,9 +14,6 @@ namespace racebeam {
 
 const std::vector<const engine*>& engines();
 
-/// Whether it is all units of some engine, wired in RTL.
-bool is_whole_chip(const std::string& unit);
-
 /// The engine of a unit, or of a whole chip. Throws std::out_of_range.
 const engine& engine_of_unit(const std::string& unit);
 
