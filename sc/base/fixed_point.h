@@ -1,4 +1,5 @@
-// Two's complement arithmetic of any width on plain ints, and the three axes of a vector.
+// Two's complement arithmetic of up to 31 bits on plain ints, and the three axes of a vector. Ports
+// may have 64 bits.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -19,6 +20,17 @@ constexpr int low_bits(int bits) { return static_cast<int>((1u << bits) - 1u); }
 constexpr int wrap_signed(int raw, int bits) {
   const int shift = 32 - bits;
   return static_cast<int>(static_cast<std::uint32_t>(raw) << shift) >> shift;
+}
+
+/// The low `bits` bits of `value`, 1..64.
+constexpr std::uint64_t raw_bits(std::uint64_t value, int bits) {
+  return value & (~std::uint64_t{0} >> (64 - bits));
+}
+
+/// The low `bits` bits of `raw`, 1..64, as a signed number.
+constexpr std::int64_t signed_bits(std::uint64_t raw, int bits) {
+  const int shift = 64 - bits;
+  return static_cast<std::int64_t>(raw << shift) >> shift;
 }
 
 /// A signed number of `from` bits as one of `to` bits: low bits are dropped or 0.

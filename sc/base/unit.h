@@ -1,13 +1,15 @@
 // Ports and wires of racebeam units: exact widths on top of SystemC's ports.
 //
-// A 1-bit port is `bool`, a wider one `sc_uint<Bits>`; signed values cross a port as raw two's
-// complement. An input reads the channel's value through a reference taken once, at the end of
-// elaboration; an output writes only what changed. Both keep the kernel out of the hot path.
+// A 1-bit port is `bool`, a wider one `sc_uint<Bits>`, up to 64 bits; signed values cross a port as
+// raw two's complement. A unit reads ports of up to 31 bits as int, wider ones as 64 bits. An input
+// reads the channel's value through a reference taken once, at the end of elaboration; an output
+// writes only what changed. Both keep the kernel out of the hot path.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <systemc>
 #include <type_traits>
@@ -21,6 +23,12 @@ namespace racebeam {
 template <int Bits>
 using wire_type = std::conditional_t<Bits == 1, bool, sc_dt::sc_uint<Bits>>;
 
+/// What the raw bits, and the signed value, of a port are read as.
+template <int Bits>
+using raw_value = std::conditional_t<(Bits < 32), int, std::uint64_t>;
+template <int Bits>
+using signed_number = std::conditional_t<(Bits < 32), int, std::int64_t>;
+
 /// A wire with one driver; `Bits` wide.
 template <int Bits>
 using wire = sc_core::sc_signal<wire_type<Bits>, sc_core::SC_UNCHECKED_WRITERS>;
@@ -31,7 +39,7 @@ struct wire_contents {
   const sc_dt::sc_uint_base* word = nullptr;
 
   /// The raw bits.
-  int value() const { return bit ? *bit : static_cast<int>(word->value()); }
+  std::uint64_t value() const { return bit ? *bit : word->value(); }
 };
 
 /// A port whose width is not in the type: for what treats all ports alike.
@@ -44,7 +52,7 @@ class any_port {
   /// Its wire; from the end of elaboration on.
   virtual wire_contents contents() const = 0;
   /// Drives an output.
-  virtual void drive_wire(int value) = 0;
+  virtual void drive_wire(std::uint64_t value) = 0;
   /// Makes a process sensitive to an input.
   virtual void sense(sc_core::sc_sensitive& process) = 0;
 };
@@ -68,19 +76,19 @@ class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
   int bits() const override { return Bits; }
   bool is_input() const override { return true; }
   wire_contents contents() const override { return contents_of<Bits>(*channel_value_); }
-  void drive_wire(int) override {}
+  void drive_wire(std::uint64_t) override {}
   void sense(sc_core::sc_sensitive& process) override { process << *this; }
 
   /// The raw bits.
-  int value() const {
-    if constexpr (Bits == 1) {
-      return *channel_value_;
-    } else {
-      return static_cast<int>(channel_value_->value());
-    }
+  raw_value<Bits> value() const {
+    if constexpr (Bits == 1) return *channel_value_;
+    else return static_cast<raw_value<Bits>>(channel_value_->value());
   }
   /// The bits as a signed number.
-  int signed_value() const { return wrap_signed(value(), Bits); }
+  signed_number<Bits> signed_value() const {
+    if constexpr (Bits < 32) return wrap_signed(value(), Bits);
+    else return signed_bits(value(), Bits);
+  }
 
  protected:
   void end_of_elaboration() override {
@@ -102,19 +110,20 @@ class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port 
   int bits() const override { return Bits; }
   bool is_input() const override { return false; }
   wire_contents contents() const override { return contents_of<Bits>((*this)->read()); }
-  void drive_wire(int value) override { drive(value); }
+  void drive_wire(std::uint64_t value) override { drive(static_cast<raw_value<Bits>>(value)); }
   void sense(sc_core::sc_sensitive&) override {}
 
   /// Drives the low `Bits` bits of `value`.
-  void drive(int value) {
-    const int raw = value & low_bits(Bits);
+  void drive(raw_value<Bits> value) {
+    constexpr auto mask = static_cast<raw_value<Bits>>(raw_bits(~std::uint64_t{0}, Bits));
+    const raw_value<Bits> raw = value & mask;
     if (raw == driven_) return;
     driven_ = raw;
     (*this)->write(static_cast<wire_type<Bits>>(raw));
   }
 
  private:
-  int driven_ = 0;
+  raw_value<Bits> driven_ = 0;
 };
 
 /// One object per axis, named `<stem>_x<suffix>`, `_y`, `_z`.

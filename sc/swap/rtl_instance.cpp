@@ -34,9 +34,13 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
       continue;
     }
     outputs_.push_back({pin, value(rtl)});
-    auto& alike = rtl.bytes == 1 ? bytes_ : rtl.bytes == 2 ? halves_ : words_;
-    alike.push_back({rtl.data, NoValue, pin});
+    auto& alike = rtl.bytes == 1   ? bytes_
+                  : rtl.bytes == 2 ? halves_
+                  : rtl.bytes == 4 ? words_
+                                   : doubles_;
+    alike.push_back({rtl.data, 0, pin});
   }
+  forget_inputs();
   std::string other;
   for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), wanted))
     other += " " + parameter.name + "=" + std::to_string(parameter.value);
@@ -44,31 +48,33 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     throw RtlError(plugin + " was built with other parameters; build it with" + other);
 }
 
-int rtl_instance::value::read() const {
+std::uint64_t rtl_instance::value::read() const {
   switch (port_->bytes) {
     case 1: return *static_cast<const std::uint8_t*>(port_->data);
     case 2: return *static_cast<const std::uint16_t*>(port_->data);
-    default: return static_cast<int>(*static_cast<const std::uint32_t*>(port_->data));
+    case 4: return *static_cast<const std::uint32_t*>(port_->data);
+    default: return *static_cast<const std::uint64_t*>(port_->data);
   }
 }
 
-void rtl_instance::value::write(int value) const {
-  const int raw = value & low_bits(port_->bits);
+void rtl_instance::value::write(std::uint64_t value) const {
+  const std::uint64_t raw = raw_bits(value, port_->bits);
   switch (port_->bytes) {
     case 1: *static_cast<std::uint8_t*>(port_->data) = static_cast<std::uint8_t>(raw); break;
     case 2: *static_cast<std::uint16_t*>(port_->data) = static_cast<std::uint16_t>(raw); break;
-    default: *static_cast<std::uint32_t*>(port_->data) = static_cast<std::uint32_t>(raw);
+    case 4: *static_cast<std::uint32_t*>(port_->data) = static_cast<std::uint32_t>(raw); break;
+    default: *static_cast<std::uint64_t*>(port_->data) = raw;
   }
 }
 
 void rtl_instance::settle() {
   bool moved = !settled_;
-  if (!settled_)  // the wires are bound by now
+  if (!bound_)
     for (auto* side : {&inputs_, &outputs_})
       for (joint& port : *side) port.wire = port.pin->contents();
-  settled_ = true;
+  bound_ = settled_ = true;
   for (joint& in : inputs_) {
-    const int now = in.wire.value();
+    const std::uint64_t now = in.wire.value();
     if (now == in.last) continue;
     in.last = now;
     in.rtl.write(now);
@@ -82,7 +88,7 @@ void rtl_instance::edge() { library_.rise(); }
 template <class Raw>
 void rtl_instance::drive(std::vector<driven>& outputs) {
   for (driven& out : outputs) {
-    const int now = static_cast<int>(*static_cast<const Raw*>(out.data));
+    const std::uint64_t now = *static_cast<const Raw*>(out.data);
     if (now == out.last) continue;
     out.last = now;
     out.pin->drive_wire(now);
@@ -93,6 +99,7 @@ void rtl_instance::drive() {
   drive<std::uint8_t>(bytes_);
   drive<std::uint16_t>(halves_);
   drive<std::uint32_t>(words_);
+  drive<std::uint64_t>(doubles_);
 }
 
 void rtl_instance::seek(int frame) {
@@ -112,9 +119,15 @@ void rtl_instance::place(const vec3& position, int room) {
 
 void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>& inputs,
                                  int edges) {
-  for (const auto& [name, value] : inputs) port(name).write(value);
+  for (const auto& [name, value] : inputs) port(name).write(static_cast<std::uint64_t>(value));
   for (; edges > 0; --edges) edge();
-  for (joint& in : inputs_) in.last = NoValue;
+  forget_inputs();
+}
+
+// They have other values than the wires, or others follow from them: the next settle() sees to it.
+void rtl_instance::forget_inputs() {
+  for (joint& in : inputs_) in.last = in.rtl.read();
+  settled_ = false;
 }
 
 rtl_instance::value rtl_instance::signal(const std::string& name) const {
@@ -136,9 +149,9 @@ std::vector<probe> rtl_instance::probes() const {
   return all;
 }
 
-void rtl_instance::deposit(const std::string& name, int value) {
+void rtl_instance::deposit(const std::string& name, std::uint64_t value) {
   signal(name).write(value);
-  for (joint& in : inputs_) in.last = NoValue;
+  forget_inputs();
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {

@@ -40,9 +40,9 @@ class rtl_instance {
   class value {
    public:
     explicit value(const rtl_port& port) : port_(&port) {}
-    int read() const;
+    std::uint64_t read() const;
     /// The low bits of `value`.
-    void write(int value) const;
+    void write(std::uint64_t value) const;
     const char* name() const { return port_->name; }
     int bits() const { return port_->bits; }
 
@@ -54,8 +54,8 @@ class rtl_instance {
   struct joint {
     any_port* pin;
     value rtl;
-    wire_contents wire{};  ///< once it has settled
-    int last = NoValue;    ///< written to the RTL, of an input
+    wire_contents wire{};    ///< once it has settled
+    std::uint64_t last = 0;  ///< what the RTL has, of an input
   };
   const std::vector<joint>& inputs() const { return inputs_; }
   const std::vector<joint>& outputs() const { return outputs_; }
@@ -65,27 +65,28 @@ class rtl_instance {
   /// All signals inside of RTL that was built with `--signals`; of other RTL none.
   std::vector<probe> probes() const;
   /// Writes a register inside racebeam_top; to be followed by settle(). Throws RtlError.
-  void deposit(const std::string& signal, int value);
+  void deposit(const std::string& signal, std::uint64_t value);
 
  private:
-  static constexpr int NoValue = -1;
   /// An output, as drive() walks over it after each evaluation: little, and by size.
   struct driven {
     const void* data;
-    int last;
+    std::uint64_t last;  // 0, as the wire, at the start
     any_port* pin;
   };
   template <class Raw>
   static void drive(std::vector<driven>& outputs);
 
   value port(const std::string& name) const;
+  void forget_inputs();
   void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
   const rtl_model& model() const { return library_.model(); }
 
   rtl_library library_;
   std::vector<joint> inputs_, outputs_;
-  std::vector<driven> bytes_, halves_, words_;  // the outputs
-  bool settled_ = false;                        // at least once
+  std::vector<driven> bytes_, halves_, words_, doubles_;  // the outputs
+  bool settled_ = false;  // the RTL has seen its inputs, and its outputs follow
+  bool bound_ = false;    // the wires are known
 };
 
 }  // namespace racebeam

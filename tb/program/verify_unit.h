@@ -20,10 +20,10 @@ namespace racebeam {
 /// Where a comparison found the first difference.
 struct FirstDifference {
   std::string port;
-  std::uint64_t clock = 0;         ///< compared clocks before it
-  int expected = 0, got = 0;       ///< raw bits of the model and of the RTL
-  std::optional<BeamPlace> place;  ///< of the chip's traffic only
-  std::string text;                ///< explained
+  std::uint64_t clock = 0;              ///< compared clocks before it
+  std::uint64_t expected = 0, got = 0;  ///< raw bits of the model and of the RTL
+  std::optional<BeamPlace> place;       ///< of the chip's traffic only
+  std::string text;                     ///< explained
 };
 
 /// What a comparison of one unit found.

@@ -13,7 +13,7 @@ namespace racebeam {
 
 namespace {
 
-constexpr int WidestWire = 32;
+constexpr int WidestWire = 64;
 
 /// Calls found(bits, contents) if `object` is a wire.
 template <class Found, int... Bits>

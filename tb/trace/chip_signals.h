@@ -34,7 +34,7 @@ struct ChipSignal {
     return wire.bit ? static_cast<const void*>(wire.bit) : static_cast<const void*>(wire.word);
   }
   /// The raw bits, once the bench has settled.
-  std::uint64_t read() const { return inner ? inner() : static_cast<std::uint64_t>(wire.value()); }
+  std::uint64_t read() const { return inner ? inner() : wire.value(); }
 };
 
 /// Where a unit's ports lie: "chip.u_stacks"; of the whole chip "chip".

@@ -23,7 +23,7 @@ class DifferenceRow {
 
   void go_to(std::size_t row) { row_ = &d_.history.at(row); }
   std::uint64_t value(std::size_t column) const {
-    return static_cast<std::uint64_t>((*row_)[column] & low_bits(d_.columns[column].bits));
+    return raw_bits((*row_)[column], d_.columns[column].bits);
   }
   bool differs() const {
     for (std::size_t n = 1; n < d_.columns.size(); ++n)
@@ -47,7 +47,7 @@ class DifferenceRow {
 
  private:
   const LockstepDifference& d_;
-  const std::vector<int>* row_ = nullptr;
+  const std::vector<std::uint64_t>* row_ = nullptr;
 };
 
 /// The rows that lie side by side in time with that of the difference.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/twin/beam_twins.h"
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -41,14 +42,16 @@ std::vector<PluginMaker::Setting> tables(const std::string& unit, const scene_pr
   return {};
 }
 
+using Raw = std::uint64_t;
+
 auto in_bits(int bits) {
-  return [bits](int raw) { return raw & low_bits(bits); };
+  return [bits](Raw raw) { return bits == 0 ? 0 : raw_bits(raw, bits); };
 }
 auto in_signed_bits(int bits) {
-  return [bits](int raw) { return wrap_signed(raw, bits); };
+  return [bits](Raw raw) { return static_cast<Raw>(signed_bits(raw, bits)); };
 }
 auto below(int count) {
-  return [count](int raw) { return raw % count; };
+  return [count](Raw raw) { return raw % static_cast<Raw>(count); };
 }
 
 }  // namespace
@@ -64,9 +67,8 @@ LegalInputs beam_inputs(const knobs& k) {
   const bool portals = k.portals_per_face > 1;
   const int portal_bits = portals ? PortalBits : 0;
   const int room_bits = portals || k.free_flight ? RoomPortBits : RoomBits;
-  const auto room = [room_bits](int raw) {
-    const int id = raw & low_bits(room_bits);
-    return id == low_bits(room_bits) ? SolidRoom : id;
+  const auto room = [none = static_cast<Raw>(low_bits(room_bits))](Raw raw) {
+    return (raw & none) == none ? Raw{SolidRoom} : raw & none;
   };
   return LegalInputs({
       {"dr1", in_signed_bits(k.dr_bits)},
@@ -90,13 +92,13 @@ LegalInputs beam_inputs(const knobs& k) {
       {"look_portal", in_bits(portal_bits)},
       {"look_way", below(portals ? 3 : 1)},
       {"sp_", below(k.interval_stack_depth)},
-      {"step_size", [](int raw) { return 1 << raw % PixelBits; }},
+      {"step_size", [](Raw raw) { return Raw{1} << raw % PixelBits; }},
       {"look_axis", below(3)},
       {"nav_axis", below(3)},
       {"hit_face", below(3)},
       {"src", below(3)},
       {"palette", below(TablePalette + 1)},
-      {"y_i", [](int raw) { return FirstLine + raw % FrameLines; }},
+      {"y_i", [](Raw raw) { return static_cast<Raw>(FirstLine) + raw % FrameLines; }},
   });
 }
 

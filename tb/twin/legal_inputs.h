@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -14,17 +15,16 @@ namespace racebeam {
 
 class LegalInputs {
  public:
-  /// For inputs whose name begins with `start`: makes of any value, at least 0, one that the chip
-  /// can have.
+  /// For inputs whose name begins with `start`: makes of any value one that the chip can have.
   struct Rule {
     std::string start;
-    std::function<int(int raw)> form;
+    std::function<std::uint64_t(std::uint64_t raw)> form;
   };
   /// The first rule that fits an input holds; without one it takes all values.
   explicit LegalInputs(std::vector<Rule> rules) : rules_(std::move(rules)) {}
 
-  /// `raw`, at least 0, or the value made of it that the chip can have at the input `port`.
-  int of(const std::string& port, int raw) const {
+  /// `raw`, or the value made of it that the chip can have at the input `port`.
+  std::uint64_t of(const std::string& port, std::uint64_t raw) const {
     for (const Rule& rule : rules_)
       if (port.rfind(rule.start, 0) == 0) return rule.form(raw);
     return raw;

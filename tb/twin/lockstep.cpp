@@ -32,10 +32,10 @@ void Lockstep::compare() {
   bool differs = false;
   const auto& outputs = rtl_.outputs();
   for (std::size_t n = 0; n < outputs.size() && clocks_ > 0; ++n) {
-    const int expected = outputs[n].wire.value();
-    int got = outputs[n].rtl.read();
+    const std::uint64_t expected = outputs[n].wire.value();
+    std::uint64_t got = outputs[n].rtl.read();
     if (inversion_ && inversion_->output == n && inversion_->clock == clocks_)
-      got ^= 1 << inversion_->bit;
+      got ^= std::uint64_t{1} << inversion_->bit;
     if (got == expected) continue;
     differs = true;
     if (!first_) first_ = difference(n, expected, got);
@@ -46,9 +46,9 @@ void Lockstep::compare() {
 }
 
 void Lockstep::remember() {
-  std::vector<int>& row = history_[clocks_ % history_.size()];
+  std::vector<std::uint64_t>& row = history_[clocks_ % history_.size()];
   row.resize(rtl_.inputs().size() + 2 * rtl_.outputs().size());
-  int* to = row.data();
+  std::uint64_t* to = row.data();
   for (const auto& in : rtl_.inputs()) *to++ = in.last;
   for (const auto& out : rtl_.outputs()) {
     *to++ = out.wire.value();
@@ -57,7 +57,8 @@ void Lockstep::remember() {
   if (first_ && !first_->whole()) first_->history.push_back(row);
 }
 
-LockstepDifference Lockstep::difference(std::size_t output, int expected, int got) const {
+LockstepDifference Lockstep::difference(std::size_t output, std::uint64_t expected,
+                                        std::uint64_t got) const {
   LockstepDifference d;
   d.unit = unit_;
   d.port = rtl_.outputs()[output].rtl.name();
@@ -81,9 +82,8 @@ LockstepDifference Lockstep::difference(std::size_t output, int expected, int go
 std::vector<probe> Lockstep::probes() const {
   std::vector<probe> all;
   for (const auto& output : rtl_.outputs())
-    all.push_back({output.rtl.name(), output.rtl.bits(), [rtl = output.rtl] {
-                     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(rtl.read()));
-                   }});
+    all.push_back(
+        {output.rtl.name(), output.rtl.bits(), [rtl = output.rtl] { return rtl.read(); }});
   for (probe& inside : rtl_.probes()) all.push_back(std::move(inside));
   return all;
 }

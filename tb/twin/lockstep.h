@@ -29,13 +29,13 @@ struct LockstepDifference {
   };
 
   std::string unit, port;
-  int output = 0;             ///< number of the port among the outputs
-  int expected = 0, got = 0;  ///< raw bits of the model and of the RTL
-  std::uint64_t clock = 0;    ///< compared clocks before it
+  int output = 0;                       ///< number of the port among the outputs
+  std::uint64_t expected = 0, got = 0;  ///< raw bits of the model and of the RTL
+  std::uint64_t clock = 0;              ///< compared clocks before it
   std::vector<Column> columns;
-  std::vector<std::vector<int>> history;  ///< by clock, and column
-  std::size_t before = 0;                 ///< rows of it before that of the difference
-  std::string wiring;                     ///< of racebeam_top only: what its units say
+  std::vector<std::vector<std::uint64_t>> history;  ///< by clock, and column
+  std::size_t before = 0;                           ///< rows of it before that of the difference
+  std::string wiring;                               ///< of racebeam_top only: what its units say
 
   std::uint64_t first_clock() const { return clock - before; }  ///< of the history
   /// What follows the difference is known as far as it ever will be.
@@ -103,7 +103,8 @@ class Lockstep : public sc_core::sc_module, public probed {
     }
   }
   void remember();
-  LockstepDifference difference(std::size_t output, int expected, int got) const;
+  LockstepDifference difference(std::size_t output, std::uint64_t expected,
+                                std::uint64_t got) const;
 
   struct Inversion {
     std::size_t output;
@@ -114,7 +115,7 @@ class Lockstep : public sc_core::sc_module, public probed {
   const std::string unit_;
   rtl_instance rtl_;
   std::optional<WiringCheck> wiring_;
-  std::array<std::vector<int>, LockstepDifference::Before + 1> history_;
+  std::array<std::vector<std::uint64_t>, LockstepDifference::Before + 1> history_;
   std::uint64_t clocks_ = 0, differences_ = 0;
   std::optional<LockstepDifference> first_;
   std::optional<Inversion> inversion_;

@@ -59,19 +59,19 @@ using Cells = std::vector<std::string>;
 class Sides {
  public:
   Sides(const Difference& d, std::size_t column)
-      : d_(d), model_(column), mask_(low_bits(d.columns[column].bits)) {}
+      : d_(d), model_(column), mask_(raw_bits(~std::uint64_t{0}, d.columns[column].bits)) {}
 
   const std::string& port() const { return d_.columns[model_].port; }
   int bits() const { return d_.columns[model_].bits; }
-  int mask() const { return mask_; }
-  int model(std::size_t row) const { return d_.history[row][model_] & mask_; }
-  int rtl(std::size_t row) const { return d_.history[row][model_ + 1] & mask_; }
+  std::uint64_t mask() const { return mask_; }
+  std::uint64_t model(std::size_t row) const { return d_.history[row][model_] & mask_; }
+  std::uint64_t rtl(std::size_t row) const { return d_.history[row][model_ + 1] & mask_; }
   bool differ(std::size_t row) const { return compared(d_, row) && model(row) != rtl(row); }
 
  private:
   const Difference& d_;
   const std::size_t model_;
-  const int mask_;
+  const std::uint64_t mask_;
 };
 
 /// All outputs.
@@ -82,13 +82,14 @@ std::vector<Sides> outputs_of(const Difference& d) {
   return all;
 }
 
-std::string hex(int value, int bits) {
-  return fmt::format("{:x}", static_cast<unsigned>(value & low_bits(bits)));
+std::string hex(std::uint64_t value, int bits) {
+  return fmt::format("{:x}", raw_bits(value, bits));
 }
 
 /// The values of both sides of a port from the difference on.
 struct Course {
-  int model_changes = 0, rtl_changes = 0, differing = 0, bits = 0;
+  int model_changes = 0, rtl_changes = 0, differing = 0;
+  std::uint64_t bits = 0;
   bool late, early = true, inverted = true;
 
   Course(const Difference& d, const Sides& port) : late(d.before > 0) {
@@ -156,7 +157,8 @@ void add_reset(std::vector<std::string>& hints, const Difference& d) {
     for (std::size_t n = 0; n < d.columns.size(); ++n) {
       const auto& column = d.columns[n];
       const int active = column.side == Difference::Input ? reset_value(column.port) : -1;
-      if (active < 0 || d.history[d.before - ago][n] != active) continue;
+      if (active < 0 || d.history[d.before - ago][n] != static_cast<std::uint64_t>(active))
+        continue;
       hints.push_back(ago == 0 ? fmt::format("it begins in a reset: {} is active", column.port)
                                : fmt::format("it begins {} after a reset by {}",
                                              counted(ago, "clock"), column.port));

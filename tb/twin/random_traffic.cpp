@@ -21,7 +21,7 @@ RandomTraffic::RandomTraffic(UnitBench& bench, LegalInputs legal, unsigned seed)
     if (!pin->input) continue;
     inputs_.push_back({pin, reset_value(pin->name)});
     // Before a reset the registers have no value.
-    if (inputs_.back().reset >= 0) pin->drive(inputs_.back().reset);
+    if (inputs_.back().reset >= 0) pin->drive(static_cast<std::uint64_t>(inputs_.back().reset));
   }
 }
 
@@ -34,14 +34,20 @@ void RandomTraffic::begin_episode() {
 }
 
 // Around 0, the largest value, the sign, and powers of two.
-int RandomTraffic::boundary(int bits) {
-  const int power = 1 << below(bits);
+std::uint64_t RandomTraffic::boundary(int bits) {
+  const std::uint64_t one = 1, power = one << below(bits);
+  const auto some = [this](int limit) { return static_cast<std::uint64_t>(below(limit)); };
   switch (below(4)) {
-    case 0: return below(3) - 1;
-    case 1: return (1 << (bits - 1)) - below(3) + 1;
-    case 2: return power - below(2);
-    default: return -power + below(2);
+    case 0: return some(3) - 1;
+    case 1: return (one << (bits - 1)) - some(3) + 1;
+    case 2: return power - some(2);
+    default: return some(2) - power;
   }
+}
+
+std::uint64_t RandomTraffic::any_value(int bits) {
+  const std::uint64_t low = random_();
+  return bits > 32 ? static_cast<std::uint64_t>(random_()) << 32 | low : low;
 }
 
 void RandomTraffic::next() {
@@ -52,14 +58,14 @@ void RandomTraffic::next() {
     UnitBench::Pin& pin = *input.pin;
     if (input.reset >= 0) {
       const bool now = begins ? below(2) == 0 : reset_every_ > 0 && below(reset_every_) == 0;
-      pin.drive(now ? input.reset : 1 - input.reset);
+      pin.drive(static_cast<std::uint64_t>(now ? input.reset : 1 - input.reset));
       continue;
     }
     if (!begins && (input.manner == Held || (input.manner == Seldom && below(16) != 0))) continue;
     if (input.manner == Boundary) input.value = boundary(pin.bits);
     else if (input.manner == Counting && !begins) input.value += below(8) == 0 ? 2 : 1;
-    else input.value = static_cast<int>(random_());
-    pin.drive(legal_.of(pin.name, input.value & low_bits(pin.bits)));
+    else input.value = any_value(pin.bits);
+    pin.drive(legal_.of(pin.name, raw_bits(input.value, pin.bits)));
   }
 }
 

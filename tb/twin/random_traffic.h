@@ -35,12 +35,13 @@ class RandomTraffic {
     UnitBench::Pin* pin;
     int reset = -1;  ///< value that resets, -1: not a reset
     Manner manner = Random;
-    int value = 0;  ///< before it is made legal
+    std::uint64_t value = 0;  ///< before it is made legal
   };
 
   void begin_episode();
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
-  int boundary(int bits);
+  std::uint64_t boundary(int bits);
+  std::uint64_t any_value(int bits);
 
   const LegalInputs legal_;
   std::mt19937 random_;

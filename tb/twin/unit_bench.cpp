@@ -5,25 +5,32 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sc/base/constants.h"
 #include "tb/base/simulate.h"
 
 namespace racebeam {
 
 namespace {
 
-constexpr int WidestPort = ColoursBits;
+constexpr int WidestPort = 64;
 
 template <int Bits>
 class WirePin : public UnitBench::Pin {
  public:
   WirePin(const std::string& name, bool input) : Pin(name, Bits, input), wire_(name.c_str()) {}
-  int value() const override { return static_cast<int>(wire_.read()); }
-  void drive(int value) override {
-    wire_.write(static_cast<wire_type<Bits>>(value & low_bits(Bits)));
+  std::uint64_t value() const override { return static_cast<std::uint64_t>(wire_.read()); }
+  void drive(std::uint64_t value) override {
+    wire_.write(static_cast<wire_type<Bits>>(raw_bits(value, Bits)));
   }
   wire<Bits> wire_;
 };
+
+/// A random value of `bits` bits, of which `low` has the low ones.
+std::uint64_t wide(std::uint64_t low, int bits, std::minstd_rand& random) {
+  constexpr int LowBits = 27, MoreBits = 30;
+  for (int known = LowBits; known < bits; known += MoreBits)
+    low ^= static_cast<std::uint64_t>(random()) << known;
+  return low;
+}
 
 }  // namespace
 
@@ -66,12 +73,14 @@ UnitBench::Pin& UnitBench::operator[](const std::string& port) {
 }
 
 void UnitBench::drive(const std::string& stem, const std::string& suffix, const vec3& value) {
-  for (int a = 0; a < 3; ++a) (*this)[stem + "_" + "xyz"[a] + suffix].drive(value[a]);
+  for (int a = 0; a < 3; ++a)
+    (*this)[stem + "_" + "xyz"[a] + suffix].drive(static_cast<std::uint64_t>(value[a]));
 }
 
 vec3 UnitBench::read(const std::string& stem, const std::string& suffix) {
   vec3 v;
-  for (int a = 0; a < 3; ++a) v[a] = (*this)[stem + "_" + "xyz"[a] + suffix].signed_value();
+  for (int a = 0; a < 3; ++a)
+    v[a] = static_cast<int>((*this)[stem + "_" + "xyz"[a] + suffix].signed_value());
   return v;
 }
 
@@ -90,7 +99,7 @@ void UnitBench::shake(std::minstd_rand& random) {
     const unsigned draw = static_cast<unsigned>(random()) >> 2;
     if (pin->name == "rst_ni") pin->drive(draw % 64 != 0);
     else if (pin->name.find("reset") != std::string::npos) pin->drive(draw % 64 == 0);
-    else if (draw % 4 == 0) pin->drive(static_cast<int>(draw >> 2));
+    else if (draw % 4 == 0) pin->drive(wide(draw >> 2, pin->bits, random));
   }
 }
 

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,10 +28,10 @@ class UnitBench {
     Pin(std::string name, int bits, bool input) : name(std::move(name)), bits(bits), input(input) {}
     virtual ~Pin() = default;
     /// Raw bits, as settled.
-    virtual int value() const = 0;
+    virtual std::uint64_t value() const = 0;
     /// Raw bits to an input; seen by the unit from the next settle() or clock() on.
-    virtual void drive(int value) = 0;
-    int signed_value() const { return wrap_signed(value(), bits); }
+    virtual void drive(std::uint64_t value) = 0;
+    std::int64_t signed_value() const { return signed_bits(value(), bits); }
 
     const std::string name;
     const int bits;

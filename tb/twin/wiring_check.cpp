@@ -59,7 +59,7 @@ std::string WiringCheck::wrong_wire() const {
     if (!in.is_input) continue;
     const bool from_pin = in.driver == NoDriver;
     const Port& driver = from_pin ? in : ports_[static_cast<std::size_t>(in.driver)];
-    const int want = from_pin ? in.wire.value() : driver.rtl.read();
+    const std::uint64_t want = from_pin ? in.wire.value() : driver.rtl.read();
     if (in.rtl.read() == want) continue;
     return fmt::format("{} has {:#x} instead of {:#x}, the value of {}.", in.full_name(),
                        in.rtl.read(), want, from_pin ? "a pin of the chip" : driver.full_name());

@@ -101,7 +101,7 @@ TYPED_TEST(NavigatorPortalsTest, ResetHasPriorityInEveryClockOfTrying) {
 TYPED_TEST(NavigatorFourPortalsTest, NoInputIsMissedUnderRandomOnes) {
   auto& bench = this->bench;
   navigator_core core;
-  const auto in = [&](const char* port) { return bench[port].value(); };
+  const auto in = [&](const char* port) { return static_cast<int>(bench[port].value()); };
   const auto signed_in = [&](const char* stem) { return bench.read(stem, "_i"); };
   const auto reset = [&] { return !in("rst_ni") || in("nav_reset_i"); };
   const auto clock = [&] {

@@ -92,7 +92,8 @@ class scene_rom_rtl : private TableFolder, public rtl_twin<scene_rom> {
 template <class Unit>
 class SceneRomTest : public testing::Test {
  protected:
-  Answer answer() { return {bench["neighbour_o"].value(), bench["back_o"].value()}; }
+  int out(const char* port) { return static_cast<int>(bench[port].value()); }
+  Answer answer() { return {out("neighbour_o"), out("back_o")}; }
   Answer look(int room, int face, int portal, int way = LookThrough, int other_signs = 0) {
     const int axis = face / 2;
     bench["room_i"].drive(room);

@@ -100,7 +100,8 @@ class SceneTest : public testing::Test {
     bench["look_axis_i"].drive(face.axis);
     bench["look_signs_i"].drive((other_signs & ~(1 << face.axis)) | face.negative << face.axis);
     bench.settle();
-    return {bench.read("position"), bench.read("half_size"), bench["neighbour_o"].value()};
+    return {bench.read("position"), bench.read("half_size"),
+            static_cast<int>(bench["neighbour_o"].value())};
   }
 
   /// All rooms that a ray can come to from the camera's rooms (i = 4, k = 0).

@@ -171,7 +171,7 @@ TYPED_TEST(TimelineTest, NoInputIsMissedUnderRandomOnes) {
   const knobs k = program.fitted({});
   const auto inputs = [&]() -> timeline_core::inputs {
     return {d.get("rst_ni") != 0, d.get("frame_end_i") != 0, d.get("run_i") != 0,
-            d.bench["dr2_y_i"].signed_value()};
+            static_cast<int>(d.bench["dr2_y_i"].signed_value())};
   };
   const auto check = [&] {
     const auto want = core.comb(inputs(), program, k);

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
 #include <functional>
 #include <sstream>
 
@@ -18,7 +19,7 @@ using testing::Not;
 
 /// A unit with the inputs rst_ni and a_i, and the outputs x_o of 4 bits and y_o of 1.
 struct Made {
-  using Of = std::function<int(int)>;  // the clock, 0 that of the difference
+  using Of = std::function<std::uint64_t(int)>;  // the clock, 0 that of the difference
 
   int first = -20, last = 64;
   Of reset = [](int) { return 1; }, input = [](int) { return 7; };
