@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Another one whenever the same sources shall become another plug-in.
-constexpr const char* Recipe = "3";
+constexpr const char* Recipe = "4";
 
 constexpr int MostAttempts = 5;  // while sources change
 
@@ -54,18 +54,16 @@ class Compiler {
   Compiler(std::string folder, std::function<void()> tick)
       : folder_(std::move(folder)), tick_(std::move(tick)) {}
 
-  void compile(const std::string& source, const std::string& object) const {
+  void compile(const std::string& source, const std::string& object,
+               const std::string& level = "-O3") const {
     const std::string runtime = verilator_runtime();
-    std::vector<std::string> words = {compiler()};
-    if (has_tool("ccache")) words.insert(words.begin(), "ccache");
-    for (const std::string& word :
-         {std::string("-std=c++17"), std::string("-O3"), std::string("-pipe"),
-          std::string("-fno-finite-loops"), std::string("-include"), runtime_header(),
-          std::string("-fPIC"), std::string("-fvisibility=hidden"), std::string("-fno-gnu-unique"),
-          std::string("-w"), std::string("-I."), "-I" + project_folder()})
-      words.push_back(word);
+    std::vector<std::string> words = {compiler(), "-std=c++17", level, "-include",
+                                      runtime_header()};
+    words.insert(words.end(), {"-pipe", "-fno-finite-loops", "-fPIC", "-fvisibility=hidden",
+                               "-fno-gnu-unique", "-w", "-I.", "-I" + project_folder()});
     words.insert(words.end(), {"-isystem", runtime, "-isystem", runtime + "/vltstd", "-c", source,
                                "-o", object});
+    if (has_tool("ccache")) words.insert(words.begin(), "ccache");
     run(words);
   }
   void link(const std::vector<std::string>& objects, const std::string& out) const {
@@ -180,6 +178,24 @@ std::string runtime_object(const std::string& source, const MakingLine& line) {
 /// A source was saved while it was read.
 struct Changed {};
 
+/// Names of the C++ files in a folder, and how large they are in sum.
+struct Classes {
+  explicit Classes(const std::string& folder) {
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".cpp") {
+        files.push_back(entry.path().filename());
+        bytes += entry.file_size();
+      }
+    std::sort(files.begin(), files.end());
+  }
+  std::vector<std::string> files;
+  std::uintmax_t bytes = 0;
+};
+
+/// Of the gates of a whole chip with all signals, 36 MB, the compiler makes nothing in half an hour
+/// unless they are in small functions, and it is not asked to improve them much.
+constexpr std::uintmax_t MostToImprove = 10'000'000;  // bytes
+
 /// The plug-in of what `elaborated` has named `content`. Throws Changed if that is not what was
 /// read.
 void make(RtlSources sources, const std::string& content, const std::string& out) {
@@ -196,23 +212,24 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     sources.top = Wrapper;
     sources.parameters.clear();
   }
-  auto circular = circular_signals(write_rtl_classes(sources, work.path(), line.tick()));
+  auto circular = circular_signals(write_rtl_classes(sources, work.path(), false, line.tick()));
   for (std::string& signal : circular) signal = of_rtl(signal, work.file("wrapper.sv"), syntax);
   if (elaborated(whole).content != content) throw Changed();
-  std::vector<std::string> classes;
-  for (const auto& entry : fs::directory_iterator(work.path()))
-    if (entry.path().extension() == ".cpp") classes.push_back(entry.path().filename());
-  std::sort(classes.begin(), classes.end());
+  const bool large = Classes(work.path()).bytes > MostToImprove;
+  if (large) {
+    for (const std::string& file : Classes(work.path()).files) fs::remove(work.file(file));
+    write_rtl_classes(sources, work.path(), true, line.tick());
+  }
   std::string all = known;
-  for (const std::string& file : classes) all += "#include " + c_string(file) + "\n";
+  for (const std::string& file : Classes(work.path()).files)
+    all += "#include " + c_string(file) + "\n";
   all += "#include \"sc/swap/rtl_glue.cc.in\"\n";
   write(work.file("all.cc"), all);
   write(work.file("texts.cc"), texts(syntax, circular));
   const Compiler cxx(work.path(), line.tick());
-  for (const std::string name : {"all", "texts"}) {
-    cxx.compile(name + ".cc", name + ".o");
-    objects.push_back(name + ".o");
-  }
+  cxx.compile("all.cc", "all.o", large ? "-O1" : "-O3");
+  cxx.compile("texts.cc", "texts.o");
+  objects.insert(objects.end(), {"all.o", "texts.o"});
   cxx.link(objects, out);
 }
 

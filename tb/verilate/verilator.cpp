@@ -117,7 +117,7 @@ void write_rtl_xml(const RtlSources& sources, const std::string& work, const std
                 {});
 }
 
-std::string write_rtl_classes(const RtlSources& sources, const std::string& work,
+std::string write_rtl_classes(const RtlSources& sources, const std::string& work, bool split,
                               const std::function<void()>& tick) {
   // Verilator 5.006 gets netlists wrong in the two optimisations that are turned off here.
   std::vector<std::string> words = {"--cc",         "-O3",        "-fno-const-bit-op-tree",
@@ -126,6 +126,7 @@ std::string write_rtl_classes(const RtlSources& sources, const std::string& work
                                     "--top-module", sources.top,  "--prefix",
                                     "Vrtl",         "--Mdir",     work};
   if (sources.signals) words.emplace_back("--public-flat-rw");
+  if (split) words.insert(words.end(), {"--output-split", "20000", "--output-split-cfuncs", "500"});
   return run_verilator(sources, words, tick);
 }
 

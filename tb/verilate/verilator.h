@@ -30,9 +30,9 @@ std::vector<std::string> source_words(const RtlSources& sources);
 /// with Verilator's messages, Interrupted.
 void write_rtl_xml(const RtlSources& sources, const std::string& work, const std::string& xml);
 
-/// Writes the C++ class Vrtl of the RTL into the folder `work`; returns Verilator's messages.
-/// Throws as write_rtl_xml().
-std::string write_rtl_classes(const RtlSources& sources, const std::string& work,
+/// Writes the C++ class Vrtl of the RTL into the folder `work`, `split` into small functions or in
+/// large ones, which are faster; returns Verilator's messages. Throws as write_rtl_xml().
+std::string write_rtl_classes(const RtlSources& sources, const std::string& work, bool split,
                               const std::function<void()>& tick);
 
 /// Signals of circular logic among Verilator's messages, as "FILE:LINE NAME".
