@@ -9,7 +9,9 @@
 `default_nettype none
 
 module camera_unit #(
-    parameter int DrBits = 10
+    parameter int DrBits = 10,
+    parameter int HeadStart = 0,
+    parameter int DdrFractionBits = 9
 ) (
     // Clock, reset, line
     input  wire logic clk_i,
@@ -48,6 +50,7 @@ module camera_unit #(
   localparam int PixelBits = racebeam_pkg::PixelBits;
   localparam int DdrBits = DrBits + 1;
   localparam int DdrPortBits = racebeam_pkg::DdrPortBits;
+  localparam int WaitBits = 9;
   localparam logic [1:0] Forward = 2'd0, Down = 2'd1, Right = 2'd2;
   localparam logic [1:0] Yaw = 2'd0, Pitch = 2'd1, Fov = 2'd2;
   localparam logic [1:0] Yaw0 = 2'd0, Pitch2 = 2'd2, Sign3 = 2'd3;  // values of pstage_q
@@ -60,10 +63,11 @@ module camera_unit #(
   logic [2:0] psign_q, psign_d;
   logic [DdrBits-1:0] ddr_x_q, ddr_y_q, ddr_z_q;
 
-  logic camera_reset, finish, preset, in_control, pstage_done, pdone;
+  logic camera_reset, scaled, waited, finish, preset, in_control, pstage_done, pdone;
   assign camera_reset = line_end_i || !rst_ni;
-  assign finish = phase_q == Scale && !step_i && !step_seen_q;
-  assign preset = camera_reset || (finish && pass_q != Right);
+  assign scaled = phase_q == Scale && !step_i && !step_seen_q;
+  assign finish = scaled && (pass_q != Right || waited);
+  assign preset = camera_reset || (scaled && pass_q != Right);
   assign in_control = phase_q == Product || preset;
   assign pstage_done = pstage_q != Sign3 && pclk_q == 2'd3 && !step_i;
   assign pdone = pstage_q == Sign3 && pclk_q == 2'd2;
@@ -200,7 +204,20 @@ module camera_unit #(
     end
   end
 
+  if (HeadStart != 0) begin : g_wait
+    logic [WaitBits-1:0] wait_q;
+    assign waited = wait_q == WaitBits'(HeadStart);
+    always_ff @(posedge clk_i)
+      if (camera_reset) wait_q <= '0;
+      else if (scaled && pass_q == Right && !waited) wait_q <= wait_q + 1'b1;
+  end else begin : g_no_wait
+    assign waited = 1'b1;
+  end
+
   logic ddr_write, ddr_signed;
+  logic [DdrBits-1:0] kept;  // of ddr as the tracer has it
+  assign kept = ddr_signed && pass_q == Right
+              ? DdrBits'(-1) << (racebeam_pkg::DdrFractionBits - DdrFractionBits) : '1;
   assign ddr_signed = pstage_q == Sign3;
   assign ddr_write = ddr_signed ? pclk_q == 2'd3 : pstage_done;
 
@@ -218,9 +235,9 @@ module camera_unit #(
     pclk_q <= pclk_d;
     psign_q <= psign_d;
     if (ddr_write) begin
-      ddr_x_q <= {ddr_signed && dr2_x_i[DrBits-1], dr2_x_i[DrBits-1:0]};
-      ddr_y_q <= {ddr_signed && dr2_y_i[DrBits-1], dr2_y_i[DrBits-1:0]};
-      ddr_z_q <= {ddr_signed && dr2_z_i[DrBits-1], dr2_z_i[DrBits-1:0]};
+      ddr_x_q <= {ddr_signed && dr2_x_i[DrBits-1], dr2_x_i[DrBits-1:0]} & kept;
+      ddr_y_q <= {ddr_signed && dr2_y_i[DrBits-1], dr2_y_i[DrBits-1:0]} & kept;
+      ddr_z_q <= {ddr_signed && dr2_z_i[DrBits-1], dr2_z_i[DrBits-1:0]} & kept;
     end
   end
 endmodule

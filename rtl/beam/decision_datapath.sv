@@ -13,6 +13,7 @@ module decision_datapath #(
     parameter int CornerBits = 12,
     parameter int CornerFactorBits = 8,
     parameter int PartialProductsCut = 5,
+    parameter int CornerRounding = 0,
     parameter int MaxRoomDepth = 8,
     parameter int FaceStackDepth = 9,
     parameter int SkipSharedEdges = 0,
@@ -143,6 +144,13 @@ module decision_datapath #(
         product += ProductBits'(((FactorBits + RayFactorBits)'(m) << i) >> PartialProductsCut);
   endfunction
 
+  // A corner coordinate without its lowest `by` bits; rounded, but for the largest one.
+  function automatic logic [FactorBits-1:0] factor(logic [CornerBits-2:0] c, logic [3:0] by);
+    factor = FactorBits'(c >> by);
+    if (CornerRounding != 0 && by != 4'd0 && factor != '1)
+      factor += FactorBits'(c[by-4'd1]);
+  endfunction
+
   // The decision: which axis, its two corner coordinates, its two ray magnitudes.
   logic [DrBits-1:0] dr[3];
   logic [RayFactorBits-1:0] magnitude[3];
@@ -174,8 +182,8 @@ module decision_datapath #(
     either = corner_a[CornerBits-2:0] | corner_b[CornerBits-2:0];
     shift = '0;
     for (int n = 1; n <= LargestShift; n++) if (either[FactorBits+n-1]) shift = 4'(n);
-    factor_a = FactorBits'(corner_a[CornerBits-2:0] >> shift);
-    factor_b = FactorBits'(corner_b[CornerBits-2:0] >> shift);
+    factor_a = factor(corner_a[CornerBits-2:0], shift);
+    factor_b = factor(corner_b[CornerBits-2:0], shift);
 
     at_least = product(factor_a, ray_b) >= product(factor_b, ray_a);
     if (corner_a[CornerBits-1]) at_least = 1'b0;

@@ -10,7 +10,8 @@
 
 module interval_fifo #(
     parameter int FifoEntries = 10,
-    parameter int FifoShortLengthBits = 6
+    parameter int FifoShortLengthBits = 6,
+    parameter int FifoMerge = 1
 ) (
     // Clock; phase of the line
     input wire logic clk_i,
@@ -59,7 +60,8 @@ module interval_fifo #(
     else sum = head_len_q + HeadBits'(len_m1_i) + HeadBits'(1);
   end
   wire logic overflow = (head_len_q >= 0) & (sum < 0);
-  wire logic merge = listen & ((value_i == head_value_q) | starving) & ~overflow;
+  wire logic alike = FifoMerge != 0 && value_i == head_value_q;
+  wire logic merge = listen & (alike | starving) & ~overflow;
   wire logic take = listen & ~merge & ~full;
 
   always_comb begin

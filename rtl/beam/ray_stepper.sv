@@ -2,9 +2,9 @@
 // The three axes are alike: one adder each, for the camera's sums and for steps.
 // Contract: sc/beam/ray_stepper.h
 //
-// A register word is {direction, fraction}; the fraction has 9 bits with Stepping = 1, else none.
-// step_size_i has one bit set, but for Bisection = 1: then any, and each bit is a step of its own
-// from where the bits above it lead.
+// A register word is {direction, fraction}; the fraction has SteppingFractionBits in dr2 unless
+// Stepping = 0, and in dr1 with Stepping = 1. step_size_i has one bit set, but for Bisection = 1:
+// then any, and each bit is a step of its own from where the bits above it lead.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -12,8 +12,9 @@
 
 module ray_stepper #(
     parameter int DrBits = 10,
-    parameter int Bisection = 0,  // 0: powers of two, 1: midpoints
-    parameter int Stepping = 0  // 0: without stored fractions, 1: with
+    parameter int Bisection = 0,  // 0, 2: powers of two, 1: midpoints
+    parameter int Stepping = 0,  // 0: without stored fractions, 1: with, 2: in dr2 alone
+    parameter int SteppingFractionBits = 9
 ) (
     // Clock; phase of the line
     input  wire logic clk_i,
@@ -48,11 +49,14 @@ module ray_stepper #(
 );
   localparam int PixelBits = racebeam_pkg::PixelBits;
   localparam int FractionBits = racebeam_pkg::DdrFractionBits;
-  localparam int Fraction = Stepping != 0 ? FractionBits : 0;  // bits stored
-  localparam int WordBits = DrBits + Fraction;
+  localparam int Fraction1 = Stepping == 1 ? SteppingFractionBits : 0;  // bits stored
+  localparam int Fraction2 = Stepping != 0 ? SteppingFractionBits : 0;
+  localparam int Dropped = FractionBits - Fraction2;
+  localparam int Word1Bits = DrBits + Fraction1;
+  localparam int WordBits = DrBits + Fraction2;
   localparam int DeltaBits = DrBits + 1;
   localparam int ProductBits = DeltaBits + 11;
-  localparam int Steps = Bisection != 0 ? 11 : 1;  // in a clock
+  localparam int Steps = Bisection == 1 ? 11 : 1;  // in a clock
 
   logic copy;
   assign copy = tracer_reset_i ? copy_ext_i : copy_sub_i;
@@ -75,52 +79,48 @@ module ray_stepper #(
     logic [PixelBits-1:0] idx2, size;
     idx2 = idx2_i;
     for (int n = Steps - 1; n >= 0; n--) begin
-      size = Bisection != 0 ? PixelBits'(step_size_i & 11'(1 << n)) : step_size_i[PixelBits-1:0];
+      size = Bisection == 1 ? PixelBits'(step_size_i & 11'(1 << n)) : step_size_i[PixelBits-1:0];
       changes[n*FractionBits +: FractionBits] = FractionBits'(change_bit(idx2, neg_i, size));
       idx2 = neg_i ? idx2 - size : idx2 + size;
     end
   end
 
   for (genvar a = 0; a < 3; a++) begin : g_axis
-    logic [WordBits-1:0] dr1_q, dr2_q, dr2_d;
+    logic [Word1Bits-1:0] dr1_q;
+    logic [WordBits-1:0] dr2_q, dr2_d;
     logic signed [DeltaBits-1:0] delta;
     logic [WordBits-1:0] move;  // of a step to the right
 
     if (a == 0) begin : g_x
       assign delta = delta_x_i[DeltaBits-1:0];
-      assign dr1_x_o = racebeam_pkg::DrPortBits'($signed(dr1_q[WordBits-1:Fraction]));
-      assign dr2_x_o = racebeam_pkg::DrPortBits'($signed(dr2_q[WordBits-1:Fraction]));
+      assign dr1_x_o = racebeam_pkg::DrPortBits'($signed(dr1_q[Word1Bits-1:Fraction1]));
+      assign dr2_x_o = racebeam_pkg::DrPortBits'($signed(dr2_q[WordBits-1:Fraction2]));
     end else if (a == 1) begin : g_y
       assign delta = delta_y_i[DeltaBits-1:0];
-      assign dr1_y_o = racebeam_pkg::DrPortBits'($signed(dr1_q[WordBits-1:Fraction]));
-      assign dr2_y_o = racebeam_pkg::DrPortBits'($signed(dr2_q[WordBits-1:Fraction]));
+      assign dr1_y_o = racebeam_pkg::DrPortBits'($signed(dr1_q[Word1Bits-1:Fraction1]));
+      assign dr2_y_o = racebeam_pkg::DrPortBits'($signed(dr2_q[WordBits-1:Fraction2]));
     end else begin : g_z
       assign delta = delta_z_i[DeltaBits-1:0];
-      assign dr1_z_o = racebeam_pkg::DrPortBits'($signed(dr1_q[WordBits-1:Fraction]));
-      assign dr2_z_o = racebeam_pkg::DrPortBits'($signed(dr2_q[WordBits-1:Fraction]));
+      assign dr1_z_o = racebeam_pkg::DrPortBits'($signed(dr1_q[Word1Bits-1:Fraction1]));
+      assign dr2_z_o = racebeam_pkg::DrPortBits'($signed(dr2_q[WordBits-1:Fraction2]));
     end
 
-    // delta * size: whole units, and one bit of delta that makes good for the fractions that are
-    // dropped. Bit 8 - b of delta goes with the change of bit b of idx2.
-    if (Stepping != 0) begin : g_fraction
-      always_comb
-        move = WordBits'(ProductBits'(delta) * $signed(ProductBits'(step_size_i)));
-    end else begin : g_jumper
-      always_comb begin
-        logic [ProductBits-1:0] product;
-        logic extra;
-        move = '0;
-        for (int s = 0; s < Steps; s++) begin
-          product = '0;
-          for (int n = 0; n < 11; n++)
-            if (step_size_i[n] && (Steps == 1 || n == s))
-              product = product | (ProductBits'(delta) << n);
-          extra = 1'b0;
-          for (int b = 0; b < FractionBits; b++)
-            extra = extra | (changes[s*FractionBits+b] & delta[FractionBits-1-b]);
-          if (step_size_i[s] || Steps == 1)
-            move = move + product[FractionBits +: WordBits] + WordBits'(extra);
-        end
+    // delta * size: what is stored, and one bit of delta that makes good for the fractions that are
+    // dropped. With 9 of them dropped, bit 8 - b of delta goes with the change of bit b of idx2.
+    always_comb begin
+      logic [ProductBits-1:0] product;
+      logic extra;
+      move = '0;
+      for (int s = 0; s < Steps; s++) begin
+        product = '0;
+        for (int n = 0; n < 11; n++)
+          if (step_size_i[n] && (Steps == 1 || n == s))
+            product = product | (ProductBits'(delta) << n);
+        extra = 1'b0;
+        for (int b = 0; b < Dropped; b++)
+          extra = extra | (changes[s*FractionBits+b] & delta[Dropped-1-b]);
+        if (step_size_i[s] || Steps == 1)
+          move = move + WordBits'(product >> Dropped) + WordBits'(extra);
       end
     end
 
@@ -131,17 +131,17 @@ module ray_stepper #(
       change = '0;
       if (tracer_reset_i && ext_i) begin
         subtract = ext_sign_i[a];
-        if (axis_mask_i[a]) change = WordBits'(delta) << Fraction;
+        if (axis_mask_i[a]) change = WordBits'(delta) << Fraction2;
       end else if (step_i && (!tracer_reset_i || axis_mask_i[a])) begin
         subtract = neg_i;
         change = move;
       end
-      if (load_i) dr2_d = load_zero_i ? '0 : dr1_q;
+      if (load_i) dr2_d = load_zero_i ? '0 : WordBits'(dr1_q) << (Fraction2 - Fraction1);
       else dr2_d = subtract ? dr2_q - change : dr2_q + change;
     end
 
     always_ff @(posedge clk_i) begin
-      if (copy) dr1_q <= dr2_q;
+      if (copy) dr1_q <= Word1Bits'(dr2_q >> (Fraction2 - Fraction1));
       dr2_q <= dr2_d;
     end
   end

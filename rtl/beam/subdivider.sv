@@ -11,7 +11,7 @@
 module subdivider #(
     parameter int IntervalStackDepth = 4,
     parameter int HurryThreshold = 32,
-    parameter int Bisection = 0,  // 0: pow2, 1: midpoint
+    parameter int Bisection = 0,  // 0: pow2, 1: midpoint, 2: floor
     parameter int PortalsPerFace = 1
 ) (
     // Clock; phase of the line
@@ -146,15 +146,18 @@ module subdivider #(
     end
   end
 
-  // Size of the step: the closest power of two to half the distance, or half of it.
+  // Size of the step: the closest power of two to half the distance, or half of it, or the power
+  // below.
   wire logic [10:0] span = distance[11] ? ~distance[10:0] : distance[10:0];
   logic [10:0] power, step_size;
   always_comb begin
     power = 11'd1;
     for (int k = 1; k <= 10; k++) if (32'(span) >= 3 << (k - 1)) power = 11'd1 << k;
     step_size = power;
-    if (bisecting && Bisection != 0 && $signed(distance) > 12'sd1)
+    if (bisecting && Bisection == 1 && $signed(distance) > 12'sd1)
       step_size = agree ? {1'b0, span[10:1]} : span - {1'b0, span[10:1]};
+    if (bisecting && Bisection == 2 && $signed(distance) > 12'sd1)
+      for (int k = 0; k <= 9; k++) if (span[k+1]) step_size = 11'd1 << k;
     if (one_pixel) step_size = 11'd1;
   end
 

@@ -21,13 +21,16 @@ struct counter_info {
   int column;         ///< its width in the table of frames; 0: it is not there
 };
 
-/// How many clocks of a frame had each value 0, 1, ...
+/// How many clocks, or other things, of a frame had each value 0, 1, ...
 struct histogram_info {
   const char* name;
-  int knobs::*most;  ///< the largest value that can be
+  int knobs::*most;  ///< the largest value that can be; nullptr: `limit`
+  int limit = 0;
+
+  int largest(const knobs& k) const { return most ? k.*most : limit; }
 };
 
-/// A clock of each visible line; -1: it never came.
+/// A clock of each visible line, or another number of it; -1: it never came.
 struct line_info {
   const char* name;
   const char* without;  ///< what the lines in which it never came are called in files; "": all have

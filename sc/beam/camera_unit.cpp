@@ -49,7 +49,7 @@ int camera_unit_core::source(bool reset, bool stepping) const {
 }
 
 camera_unit_core::outputs camera_unit_core::comb(const inputs& in, const knobs& k) const {
-  const bool finished = finish(in.stepping);
+  const bool finished = finish(in.stepping, k);
   const bool presetting = preset(in.reset, in.stepping);
   const pass_row& pass = passes[pass_q];
   outputs o;
@@ -117,7 +117,7 @@ camera_unit_core::outputs camera_unit_core::comb(const inputs& in, const knobs& 
 }
 
 void camera_unit_core::clock(const inputs& in, const knobs& k) {
-  const bool finished = finish(in.stepping);
+  const bool finished = finish(in.stepping, k);
   const bool stage_done = product_stage_done(in.stepping);
   const bool product_done = pstage_q == 3 && pclk_q == 2;
   const bool presetting = preset(in.reset, in.stepping);
@@ -125,7 +125,10 @@ void camera_unit_core::clock(const inputs& in, const knobs& k) {
 
   if (stage_done)
     for (int a = 0; a < 3; ++a) ddr_q[a] = in.dr2[a] & low_bits(k.dr_bits);
-  else if (pstage_q == 3 && pclk_q == 3) ddr_q = in.dr2;
+  else if (pstage_q == 3 && pclk_q == 3)
+    for (int a = 0; a < 3; ++a)
+      ddr_q[a] =
+          pass_q == 2 ? in.dr2[a] & ~low_bits(DdrFractionBits - k.ddr_fraction_bits) : in.dr2[a];
 
   if (presetting) {
     pstage_q = pclk_q = psign_q = 0;
@@ -143,6 +146,8 @@ void camera_unit_core::clock(const inputs& in, const knobs& k) {
     pclk_q = 3;
   }
 
+  const bool waiting = scaled(in.stepping) && pass_q == 2 && wait_q != k.head_start;
+  wait_q = in.reset ? 0 : wait_q + waiting;
   step_seen_q = in.stepping;
   if (in.reset) {
     pass_q = phase_q = 0;

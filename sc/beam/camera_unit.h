@@ -5,14 +5,16 @@
 //         subdivider's idx2, so that stepping dr2 from 0 to n pixels multiplies delta by n/512.
 //         Sines and cosines are parabolas: (1-t)(1+t), one factor at a time.
 //         Three passes (forward, down, right), each PRODUCT (of sines), LOAD, SCALE; then RUN.
-// Size    45 register bits; angle_i counts 1/2048 turn, full scale of a sine is 511.
-// Cycles  44..83 clocks from the start of the line to the first clock of RUN, data dependent.
+// Size    45 register bits, 9 more with a head_start; angle_i counts 1/2048 turn, full scale of a
+//         sine is 511.
+// Cycles  44..83 clocks, and head_start, from the start of the line to the first clock of RUN, data
+//         dependent.
 // Comb    line_end_i, rst_ni -> tracer_reset_o and all controls; step_i -> controls;
 //         y_i -> i2_init_o; step_i, line_end_i -> src_o; angle_i -> delta_o, axis_mask_o,
 //         i2_init_o (angle_i depends on src_o: no loop).
-// Stall   waits in SCALE while step_i.
+// Stall   waits in SCALE while step_i; in the last one head_start clocks more.
 // Reset   start of a line, also by line_end_i; ddr keeps its value.
-// Knobs   dr_bits scales full scale.
+// Knobs   dr_bits scales full scale; head_start; ddr_fraction_bits: the others of ddr are 0.
 // Twin    rtl/beam/camera_unit.sv
 // Test    tests/beam/camera_unit_test.cpp
 // Source  contract section 7; article "Camera view calculations".
@@ -32,6 +34,8 @@ enum camera_phase { CameraProduct = 0, CameraLoad = 1, CameraScale = 2, CameraRu
 
 /// Behaviour of camera_unit.
 struct camera_unit_core {
+  static constexpr int WaitBits = 9;
+
   int pass_q = 0;   // 0 forward, 1 down, 2 right
   int phase_q = 0;  // camera_phase
   bool step_seen_q = false;
@@ -39,6 +43,7 @@ struct camera_unit_core {
   int pclk_q = 0;    // clock within the factor, saturating
   int psign_q = 0;   // per axis: product is negative
   vec3 ddr_q{};      // signed (between factors unsigned, dr_bits)
+  int wait_q = 0;    // clocks of the head start that are over
 
   struct inputs {
     bool reset;  // line_end or reset
@@ -72,11 +77,15 @@ struct camera_unit_core {
     visit("ddr_x_q", k.dr_bits + 1, [this] { return ddr_q[0]; });
     visit("ddr_y_q", k.dr_bits + 1, [this] { return ddr_q[1]; });
     visit("ddr_z_q", k.dr_bits + 1, [this] { return ddr_q[2]; });
+    if (k.head_start > 0) visit("g_wait.wait_q", WaitBits, [this] { return wait_q; });
   }
 
  private:
-  bool finish(bool stepping) const { return phase_q == CameraScale && !stepping && !step_seen_q; }
-  bool preset(bool reset, bool stepping) const { return reset || (finish(stepping) && pass_q < 2); }
+  bool scaled(bool stepping) const { return phase_q == CameraScale && !stepping && !step_seen_q; }
+  bool finish(bool stepping, const knobs& k) const {
+    return scaled(stepping) && (pass_q < 2 || wait_q == k.head_start);
+  }
+  bool preset(bool reset, bool stepping) const { return reset || (scaled(stepping) && pass_q < 2); }
   bool product_stage_done(bool stepping) const { return pstage_q != 3 && pclk_q == 3 && !stepping; }
 };
 

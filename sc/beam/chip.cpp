@@ -341,7 +341,11 @@ chip_view chip::view() const {
           starving.read(),
           descend.read(),
           push_en.read(),
-          number(fill)};
+          number(fill),
+          number(dec),
+          number(mask),
+          number(value),
+          lock.read()};
 }
 
 chip::~chip() = default;

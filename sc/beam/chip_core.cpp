@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/beam/chip_core.h"
 
+#include <tuple>
+
 namespace racebeam {
 
 namespace {
@@ -143,7 +145,11 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
              starving,
              move.descend,
              move.push,
-             interval_fifo.fill(k)};
+             interval_fifo.fill(k),
+             sub.dec,
+             sub.mask,
+             fifo_in.value,
+             s.lock};
 
   // The edge.
   const bool face_write = decision_datapath.face_write(place);
@@ -162,6 +168,24 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   else sequencer.clock(choose);
   vga_timing.clock(timing_in, k.clocks_per_pixel);
   return uo;
+}
+
+bool chip_core::same_video(const chip_core& other) const {
+  const auto timing = [](const vga_timing_core& c) {
+    return std::tie(c.h_region_q, c.h_pos_q, c.half_q, c.v_region_q, c.v_pos_q, c.vs_q);
+  };
+  const auto camera = [](const camera_unit_core& c) {
+    return std::tie(c.pass_q, c.phase_q, c.step_seen_q, c.pstage_q, c.pclk_q, c.psign_q, c.ddr_q,
+                    c.wait_q);
+  };
+  const auto flight = [](const navigator_core& c) {
+    return std::tie(c.nav_state_q, c.position_q, c.room_q, c.portal_q);
+  };
+  return timing(vga_timing) == timing(other.vga_timing) && frame() == other.frame() &&
+         camera(camera_unit) == camera(other.camera_unit) &&
+         flight(navigator) == flight(other.navigator) && ray_stepper == other.ray_stepper &&
+         subdivider == other.subdivider && stacks == other.stacks &&
+         decision_datapath == other.decision_datapath && interval_fifo == other.interval_fifo;
 }
 
 void chip_core::deposit(int frame, const knobs& k) {

@@ -50,6 +50,8 @@ struct chip_core {
   pins clock(bool rst_n, const knobs& k, chip_view* view = nullptr);
   /// The same of all units but pwm_sound, on which no other depends: the pins uo.
   int clock_video(bool rst_n, const knobs& k, chip_view* view = nullptr);
+  /// Whether all registers that clock_video() writes are equal.
+  bool same_video(const chip_core& other) const;
   /// Frame counter.
   int frame() const { return program ? timeline.frame_q : sequencer.frame_q; }
   /// Puts the demo to the start of `frame`; to be called in the first clock of a frame.

@@ -24,6 +24,9 @@ const std::vector<counter_row>& counter_table() {
       {{"give_ups", "given up", 0}, &frame_stats::give_ups},
       {{"fifo_full_stalls", "FIFO stalls", 11}, &frame_stats::fifo_full_stalls},
       {{"rooms_entered", "rooms entered", 0}, &frame_stats::rooms_entered},
+      {{"merges", "", 0}, &frame_stats::merges},
+      {{"sign_splits", "", 0}, &frame_stats::sign_splits},
+      {{"seen_starved_pixels", "", 0}, &frame_stats::seen_starved_pixels},
   };
   return table;
 }
@@ -32,6 +35,8 @@ const std::vector<histogram_row>& histogram_table() {
   static const std::vector<histogram_row> table = {
       {{"fifo_fill", &knobs::fifo_entries}, &frame_stats::fifo_fill},
       {{"stack_depth", &knobs::interval_stack_depth}, &frame_stats::stack_depth},
+      {{"walk_steps", nullptr, 10}, &frame_stats::walk_steps},
+      {{"slack", nullptr, 64}, &frame_stats::slack},
   };
   return table;
 }
@@ -42,6 +47,7 @@ const std::vector<line_row>& line_table() {
       {{"first_emit_clock", "lines_without", false, ""}, &frame_stats::first_emit},
       {{"done_clock", "lines_not_done", true, ""}, &frame_stats::done_clock},
       {{"busy_clocks", "", false, "busy clocks"}, &frame_stats::busy_clocks},
+      {{"stack_needed", "", false, ""}, &frame_stats::stack_needed},
   };
   return table;
 }

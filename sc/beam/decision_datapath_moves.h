@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "sc/beam/codes.h"
@@ -37,8 +38,13 @@ namespace racebeam {
     const int high = (ca | cb) >> k.corner_factor_bits;
     const int shift = high ? 32 - __builtin_clz(high) : 0;
     const int ma = dr_a < 0 ? ~dr_a : dr_a, mb = dr_b < 0 ? ~dr_b : dr_b;
-    ge = product(ca >> shift, mb, k.partial_products_cut) >=
-         product(cb >> shift, ma, k.partial_products_cut);
+    const auto factor = [&](int c) {
+      const int rounded =
+          (c >> shift) + (k.corner_rounding && shift > 0 ? c >> (shift - 1) & 1 : 0);
+      return k.corner_rounding ? std::min(rounded, low_bits(k.corner_factor_bits)) : rounded;
+    };
+    ge = product(factor(ca), mb, k.partial_products_cut) >=
+         product(factor(cb), ma, k.partial_products_cut);
   }
   return signs << 1 | (ge != inverted);
 }

@@ -24,18 +24,32 @@ struct frame_counters {
   std::uint64_t starved_pixels = 0;
   std::uint64_t fifo_full_stalls = 0;  ///< clocks with an interval offered and not accepted
   std::uint64_t rooms_entered = 0;
+  std::uint64_t merges = 0;       ///< accepted intervals of the colour before: one FIFO entry
+  std::uint64_t sign_splits = 0;  ///< RIGHT decisions in which the rays' signs differ
+  std::uint64_t seen_starved_pixels = 0;        ///< those that no ray pattern hides
   std::array<std::uint64_t, 65> fifo_fill{};    ///< clocks with that many entries in use
   std::array<std::uint64_t, 65> stack_depth{};  ///< clocks with that many interval stack entries
+  std::array<std::uint64_t, 65> walk_steps{};   ///< LEFT decisions after that many steps of dr2
+  std::array<std::uint64_t, 65> slack{};  ///< pixels shown 32 n .. 32 n + 31 clocks after they were
+                                          ///< known; the last: or more. Not those that starved
 
   std::uint64_t decisions() const { return left_decisions + right_decisions + bisection_steps; }
 };
 
-/// The same, and clocks of each visible line from its start.
+constexpr int SlackBin = 32;  ///< clocks
+
+/// The bin of a histogram: its last one has what is beyond, too.
+inline std::uint64_t& bin_of(std::array<std::uint64_t, 65>& histogram, int value) {
+  return histogram[static_cast<std::size_t>(value < 64 ? value : 64)];
+}
+
+/// The same, and of each visible line clocks from its start, and the like.
 struct frame_stats : frame_counters {
   std::vector<int> camera_clocks;  ///< first clock of the tracer
   std::vector<int> first_emit;     ///< first accepted interval; -1 if none
   std::vector<int> done_clock;     ///< first clock with line_done = 1; -1 if never
   std::vector<int> busy_clocks;    ///< tracer clocks before line_done
+  std::vector<int> stack_needed;   ///< entries that an endless interval stack would have held
 
   frame_counters& counters() { return *this; }
   const frame_counters& counters() const { return *this; }

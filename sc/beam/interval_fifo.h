@@ -13,7 +13,7 @@
 // Stall   no ack while the head splits or the head alone is eaten; while full only an interval of
 //         the head's own colour is taken.
 // Reset   one pixel of index 0 (tracer_reset_i).
-// Knobs   fifo_entries, fifo_short_length_bits.
+// Knobs   fifo_entries, fifo_short_length_bits, fifo_merge.
 // Twin    rtl/beam/interval_fifo.sv
 // Test    tests/beam/interval_fifo_test.cpp
 // Source  contract section 14; article "Interval FIFO".
@@ -77,6 +77,10 @@ struct interval_fifo_core {
   /// Up to quiet_pixels() clocks with consume at once, and any number without.
   void count_down(int pixels, const knobs& k) {
     if (head_only(k)) head_len_q -= pixels;
+    hold(pixels, k);
+  }
+  /// The same number of clocks with consume in reset.
+  void hold(int pixels, const knobs& k) {
     tail_len_q = (tail_len_q - pixels) & low_bits(k.fifo_short_length_bits);
   }
   bool operator==(const interval_fifo_core& other) const {
@@ -160,7 +164,7 @@ struct interval_fifo_core {
                         HeadBits);
     if (m.eat_head || m.split) return m;
     const bool overflow = head_len_q >= 0 && m.sum < 0;
-    m.merge = (in.value == head_value_q || starving(k)) && !overflow;
+    m.merge = ((k.fifo_merge && in.value == head_value_q) || starving(k)) && !overflow;
     m.take = !m.merge && !full;
     return m;
   }

@@ -12,8 +12,8 @@
 
 namespace racebeam {
 
-enum bisection_rule { BisectionPow2 = 0, BisectionMidpoint = 1 };
-enum stepping_rule { SteppingJumper = 0, SteppingFraction = 1 };
+enum bisection_rule { BisectionPow2 = 0, BisectionMidpoint = 1, BisectionFloor = 2 };
+enum stepping_rule { SteppingJumper = 0, SteppingFraction = 1, SteppingFractionDr2 = 2 };
 
 struct knobs {
   int interval_stack_depth = 4;
@@ -33,12 +33,20 @@ struct knobs {
   int clocks_per_pixel = 2;
   int skip_shared_edges = 0;
   int speed = 0;
+  int head_start = 0;
+  int stepping_fraction_bits = 9;
+  int ddr_fraction_bits = 9;
+  int corner_rounding = 0;
+  int fifo_merge = 1;
 
   // Only a scene file sets these (scene_program.h).
   int navigator_bits = 9;
   int free_flight = 0;
   int portals_per_face = 1;
 
+  /// Fraction bits of dr2, and of dr1.
+  int dr2_fraction() const { return stepping == SteppingJumper ? 0 : stepping_fraction_bits; }
+  int dr1_fraction() const { return stepping == SteppingFraction ? stepping_fraction_bits : 0; }
   /// Largest depth at which a room is entered: the face stack must hold one face per room.
   int room_depth_limit() const {
     return max_room_depth < face_stack_depth ? max_room_depth : face_stack_depth - 1;

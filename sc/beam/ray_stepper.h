@@ -4,13 +4,14 @@
 //         pixels: it adds floor(delta * size / 512) plus one bit of delta, chosen from the bits of
 //         idx2 that change, so that no fraction bits need to be stored and dr2 = dr_0 + J(idx2)
 //         whatever the order of steps. camera_unit uses the same adder to multiply.
-// Size    dr1, dr2: 3 x 10 bits each; knob dr_bits 8..13. The ports are 13 bits wide and carry
-//         the value sign-extended. delta and ddr are one bit wider than dr.
+// Size    dr1, dr2: 3 x 10 bits each; knob dr_bits 8..13, and the fraction bits stored. The ports
+//         are 13 bits wide and carry the value sign-extended. delta and ddr are one bit wider.
 // Cycles  one load, one external add or one step a clock; outputs are registers.
 // Comb    none.
 // Stall   holds when nothing is asked.
 // Reset   none; camera_unit loads zero.
-// Knobs   dr_bits; stepping = fraction stores 9 fraction bits and steps exactly; bisection =
+// Knobs   dr_bits; stepping = fraction stores stepping_fraction_bits in dr1 and dr2, fraction_dr2
+//         in dr2 alone: of 9 the steps are exact, of fewer they round as without; bisection =
 //         midpoint asks for sizes that are not powers of two, taken bit by bit in one clock.
 // Twin    rtl/beam/ray_stepper.sv
 // Test    tests/beam/ray_stepper_test.cpp
@@ -27,18 +28,20 @@
 
 namespace racebeam {
 
-/// The extra term of a step of `size` (a power of two) from `idx2`: one bit of delta.
-/// With no bit left to choose (a step that wraps idx2) it is bit 8, as in a 2-state simulator.
-[[gnu::always_inline]] inline int step_extra_bit(int delta, int size, bool neg, int idx2) {
+/// The extra term of a step of `size` (a power of two) from `idx2`, with `fraction` bits stored:
+/// one bit of delta. With no bit left to choose (a step that wraps idx2) it is the highest, as in
+/// a 2-state simulator.
+[[gnu::always_inline]] inline int step_extra_bit(int delta, int size, bool neg, int idx2,
+                                                 int fraction = 0) {
   const int word = (neg ? idx2 : ~idx2) & 1023 & ~(size - 1);
-  const int lowest = word ? __builtin_ctz(word) : 0;
-  return lowest <= 8 ? delta >> (8 - lowest) & 1 : 0;
+  const int bit = DdrFractionBits - 1 - fraction - (word ? __builtin_ctz(word) : 0);
+  return bit >= 0 ? delta >> bit & 1 : 0;
 }
 
-/// Behaviour of ray_stepper. Registers hold signed values of dr_bits, above `fraction` bits.
+/// Behaviour of ray_stepper. Registers hold signed values of dr_bits, above fraction bits.
 struct ray_stepper_core {
   vec3 dr1_q{}, dr2_q{};
-  vec3 fraction1_q{}, fraction2_q{};  // 9 bits each, stepping = fraction only
+  vec3 fraction1_q{}, fraction2_q{};  // 0 unless the knobs have them stored
 
   struct inputs {
     bool load, load_zero;  // dr2 := 0 or dr1
@@ -69,7 +72,7 @@ struct ray_stepper_core {
     }
     if (in.tracer_reset ? in.copy_ext : in.copy_sub) {
       dr1_q = dr2;
-      fraction1_q = fraction2;
+      if (k.dr1_fraction() > 0) fraction1_q = fraction2;
     }
   }
 
@@ -80,30 +83,19 @@ struct ray_stepper_core {
   /// Calls visit(name, bits, read) for each register, as the RTL has them.
   template <class Visit>
   void each_register(Visit&& visit, const knobs& k) const {
-    const int fraction = k.stepping == SteppingFraction ? DdrFractionBits : 0;
+    const int bits1 = k.dr1_fraction(), bits2 = k.dr2_fraction();
     for (int a = 0; a < 3; ++a) {
-      const auto word = [fraction](int dr, int part) {
-        return fraction ? dr * (1 << DdrFractionBits) | part : dr;
-      };
       const std::string axis = element("g_axis", a);
-      visit(axis + ".dr1_q", k.dr_bits + fraction,
-            [this, a, word] { return word(dr1_q[a], fraction1_q[a]); });
-      visit(axis + ".dr2_q", k.dr_bits + fraction,
-            [this, a, word] { return word(dr2_q[a], fraction2_q[a]); });
+      visit(axis + ".dr1_q", k.dr_bits + bits1,
+            [this, a, bits1] { return dr1_q[a] * (1 << bits1) | fraction1_q[a]; });
+      visit(axis + ".dr2_q", k.dr_bits + bits2,
+            [this, a, bits2] { return dr2_q[a] * (1 << bits2) | fraction2_q[a]; });
     }
   }
 
  private:
   [[gnu::always_inline]] void step(int a, const inputs& in, const knobs& k) {
-    const int delta = in.delta[a];
-    if (k.stepping == SteppingFraction) {
-      const int sum = (dr2_q[a] * (1 << DdrFractionBits) | fraction2_q[a]) +
-                      (in.neg ? -delta : delta) * in.step_size;
-      fraction2_q[a] = sum & low_bits(DdrFractionBits);
-      dr2_q[a] = wrap_signed(sum >> DdrFractionBits, k.dr_bits);
-      return;
-    }
-    if (k.bisection == BisectionPow2) {  // all sizes are powers of two
+    if (k.bisection != BisectionMidpoint) {  // all sizes are powers of two
       jump(a, in.step_size, in.idx2, in, k);
       return;
     }
@@ -117,9 +109,13 @@ struct ray_stepper_core {
     } while (rest);
   }
   [[gnu::always_inline]] void jump(int a, int size, int idx2, const inputs& in, const knobs& k) {
-    const int delta = in.delta[a];
-    const int move = (delta * size >> DdrFractionBits) + step_extra_bit(delta, size, in.neg, idx2);
-    dr2_q[a] = wrap_signed(in.neg ? dr2_q[a] - move : dr2_q[a] + move, k.dr_bits);
+    const int delta = in.delta[a], stored = k.dr2_fraction();
+    const int move = (delta * size >> (DdrFractionBits - stored)) +
+                     step_extra_bit(delta, size, in.neg, idx2, stored);
+    const int from = dr2_q[a] * (1 << stored) | fraction2_q[a];
+    const int sum = in.neg ? from - move : from + move;
+    dr2_q[a] = wrap_signed(sum >> stored, k.dr_bits);
+    if (stored > 0) fraction2_q[a] = sum & low_bits(stored);
   }
 };
 

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/constants.h"
 #include "sc/beam/chip_view.h"
 #include "sc/beam/frame_stats.h"
 
@@ -25,12 +26,27 @@ class stats_collector {
   const frame_stats& so_far() const { return stats_; }
 
  private:
+  /// What is known of a line while it is traced.
+  struct line {
+    int clock = 0, camera_clock = -1, first_emit = -1, done_clock = -1, busy = 0;
+    int column = 0;                           // that is shown next
+    int left = 0;                             // the left end's answer, with its signs
+    int walk = 0;                             // steps of dr2 so far
+    int value = 0;                            // colour of the last interval
+    bool given_up = false;                    // that interval
+    int sd = 0, stack = 0, stack_needed = 0;  // the stack's entries; those of an endless one, most
+    int taken = 1;                            // columns that the FIFO has, or had
+    int since[VisibleColumns] = {-1};  // the clock in which a column became known; -1: it did not
+  };
+  void show(const chip_view& v);
   void observe_tracer(const chip_view& v);
+  void take_in(const chip_view& v);
+  void observe_stack(const chip_view& v);
+  void observe_decision(const chip_view& v);
 
   frame_stats stats_;
-  int line_clock_ = 0;
+  line line_;
   bool visible_ = false;
-  int camera_clock_ = -1, first_emit_ = -1, done_clock_ = -1, busy_ = 0;
 };
 
 }  // namespace racebeam

@@ -24,6 +24,9 @@ namespace racebeam {
   return 1 << (top - 1 + (v >> (top - 1) & 1));
 }
 
+/// The largest power of two up to half of `width`, 2..1023.
+[[gnu::always_inline]] inline int half_floor(int width) { return 1 << (30 - __builtin_clz(width)); }
+
 /// Behaviour of subdivider.
 struct subdivider_core {
   int state_q = StateLeft;
@@ -178,6 +181,7 @@ struct subdivider_core {
       o.next_state = StateBisect;
       if (k.bisection == BisectionMidpoint && width > 1)
         o.step_size = agree ? width / 2 : width - width / 2;
+      else if (k.bisection == BisectionFloor && width > 1) o.step_size = half_floor(width);
       else o.step_size = closest_power_of_two(width);
     }
   }

@@ -41,6 +41,8 @@ int golden_switch(int left, int right, int rule, const Question& same_as_left) {
     int step = 1;  // closest power of two to half the width, ties up
     while (width >= 3 * step) step *= 2;
     if (rule == BisectionMidpoint) step = agree ? width / 2 : width - width / 2;
+    if (rule == BisectionFloor)
+      for (step = 1; 4 * step <= width;) step *= 2;
     const int probe = agree ? left + step : right - step;
     agree = same_as_left(probe);
     (agree ? left : right) = probe;

@@ -34,11 +34,11 @@ namespace {
 // Simulates the planned frames; ends early when interrupted.
 void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* sound,
                    RenderFiles& files, StatsReport& report, Against& against) {
-  Progress progress(plan.frames);
+  Progress progress(plan.frames.count());
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
   progress.draw(0, 0);
   if (!plan.json) print(table_header(plan.show.engine(), plan.crc, plan.compare));
-  for (int i = 0; i < plan.frames && !interrupted(); ++i) {
+  for (int i = 0; i < plan.frames.count() && !interrupted(); ++i) {
     const std::optional<RenderedFrame> frame = frames.next();
     if (!frame) break;
     const std::string part = plan.show.part(frame->number);
@@ -61,7 +61,8 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
   for (const std::string& units : options.units) rest += " --use " + units;
   rest += options.set_text();
   std::vector<int> rendered;
-  for (int i = 0; i <= frames && i < plan.frames; ++i) rendered.push_back(plan.frame(i));
+  for (int i = 0; i <= frames && i < plan.frames.count(); ++i)
+    rendered.push_back(plan.frames.number(i));
   const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
   bool differs = false;
   for (const Lockstep* unit : bench.locksteps()) {
@@ -96,7 +97,7 @@ int command_render(const RenderOptions& options) {
   std::optional<SoundTrack> track;
   if (!plan.wav.empty() && !alone) track.emplace(plan.k);
   std::shared_ptr<FrameRenderer> chip;  // of this process
-  FrameSequence frames(plan.jobs, plan.frames, [&]() -> FrameSequence::Render {
+  FrameSequence frames(plan.jobs, plan.frames.count(), [&]() -> FrameSequence::Render {
     chip = std::make_shared<FrameRenderer>(plan, alone && !plan.wav.empty());
     return [chip](int index) { return chip->render(index); };
   });
@@ -116,7 +117,7 @@ int command_render(const RenderOptions& options) {
   if (!plan.json && report.golden()) print(golden_table(*report.golden()));
   const bool wrong_units = chip && report_locksteps(plan, options, chip->bench(), report.frames());
   const bool differs = against.report(plan.json) || wrong_units;
-  const bool whole = report.frames() == plan.frames;
+  const bool whole = report.frames() == plan.frames.count();
   if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return differs ? ExitDifference : whole ? ExitGood : ExitInterrupted;
 }
@@ -137,6 +138,11 @@ void add_options(CLI::App& command, RenderOptions& options) {
   number("--frames", options.frames, FramesRange, "Frames to render");
   number("--first", options.first, FirstRange, "First frame, 0..12798");
   number("--every", options.every, "1..12798 in the demo", "Render only every Nth frame");
+  command
+      .add_option("--at", options.at,
+                  "These frames, in this order, instead: 7223, or 5,700-720,3900")
+      ->type_name("FRAMES")
+      ->check(not_empty());
   number("--jobs", options.jobs, "1..256",
          "Processes that share the frames; the files are the same");
   command

@@ -56,8 +56,8 @@ FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
     : plan_(plan), bench_(make_bench(plan, sound)) {
   if (!plan.vcd.empty())
     wave_ = std::make_unique<FrameWave>(dynamic_cast<WiredBench&>(*bench_), plan.show,
-                                        Raster(plan.k.clocks_per_pixel, plan.k.speed), plan.first,
-                                        plan.vcd);
+                                        Raster(plan.k.clocks_per_pixel, plan.k.speed),
+                                        plan.frames.first(), plan.vcd);
 }
 
 void FrameRenderer::finish() {
@@ -65,7 +65,7 @@ void FrameRenderer::finish() {
 }
 
 RenderedFrame FrameRenderer::render(int index) {
-  bench_->seek(plan_.frame(index));
+  bench_->seek(plan_.frames.number(index));
   const ChipBench::Frame frame = bench_->render();
   RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}};
   if (plan_.pictures()) rendered.files.push_back(picture_file(plan_, frame.number, frame.picture));

@@ -20,9 +20,9 @@ void plan_one_picture(OutputPlan& plan, const RenderOptions& options, const Pict
   if (!options.format.empty())
     throw UsageError(
         fmt::format("-o {} says the format; leave out --format, or {}", options.folder, advice));
-  if (plan.frames > 1)
-    throw UsageError(
-        fmt::format("-o {} is one picture; for {} frames {}", options.folder, plan.frames, advice));
+  if (plan.frames.count() > 1)
+    throw UsageError(fmt::format("-o {} is one picture; for {} frames {}", options.folder,
+                                 plan.frames.count(), advice));
   if (!plan.overlays.empty())
     throw UsageError(fmt::format("-o {} is one picture; for --overlay {}", options.folder, advice));
   plan.picture = options.folder;

@@ -42,12 +42,12 @@ void try_writing(const std::string& path) {
 RenderFiles::RenderFiles(const OutputPlan& plan, Manifest manifest)
     : plan_(plan), what_(std::move(manifest)) {
   what_.command = plan_.command;
-  what_.first_frame = plan_.first;
-  what_.every = plan_.every;
-  what_.frames_wanted = plan_.frames;
+  what_.first_frame = plan_.frames.first();
+  what_.every = plan_.frames.every();
+  what_.frames_wanted = plan_.frames.count();
   if (!plan_.folder.empty()) {
     folder_ = std::make_unique<OutputFolder>(plan_.folder, what_, plan_.overwrite);
-    try_writing(folder_->file(plan_.file_name("frame", plan_.first)));
+    try_writing(folder_->file(plan_.file_name("frame", plan_.frames.first())));
   }
   for (const std::string& path : {plan_.picture, plan_.gif, plan_.wav, plan_.sheet, plan_.stats})
     try_writing(path);
@@ -64,9 +64,10 @@ void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
   width_ = frame.picture.width;
   height_ = frame.picture.height;
   if (!plan_.gif.empty() && !gif_)
-    gif_ = std::make_unique<GifWriter>(plan_.gif, width_, height_,
-                                       std::max(plan_.frames_per_second / plan_.every, SlowestGif),
-                                       plan_.gif_scale);
+    gif_ = std::make_unique<GifWriter>(
+        plan_.gif, width_, height_,
+        std::max(plan_.frames_per_second / std::max(plan_.frames.every(), 1), SlowestGif),
+        plan_.gif_scale);
   if (gif_) gif_->add(frame.picture.colours);
   if (!plan_.sheet.empty())
     sheet_.push_back({frame.picture.colours, fmt::format("{} {}", frame.number, part)});

@@ -23,7 +23,7 @@ constexpr const char* Row = "{:>5}  {:<32} {:>10}  {:<8}\n";
 
 RenderedFrame render_frame(const RenderPlan& plan, int index) {
   RenderedFrame rendered;
-  const int frame = rendered.number = plan.frame(index);
+  const int frame = rendered.number = plan.frames.number(index);
   VgaFrame& picture = rendered.picture;
   picture.colours = golden_picture(*plan.tracer, plan.show.golden_world(frame, plan.k),
                                    plan.show.golden_camera(frame));
@@ -47,10 +47,10 @@ int stretches(const VgaFrame& picture) {
 // Renders the planned frames; ends early when interrupted.
 void render_frames(const RenderPlan& plan, FrameSequence& frames, RenderFiles& files,
                    GoldenFrames& report) {
-  Progress progress(plan.frames);
+  Progress progress(plan.frames.count());
   progress.draw(0, 0);
   if (!plan.json) print(fmt::format(Row, "frame", "part", "intervals", "image"));
-  for (int i = 0; i < plan.frames && !interrupted(); ++i) {
+  for (int i = 0; i < plan.frames.count() && !interrupted(); ++i) {
     const std::optional<RenderedFrame> frame = frames.next();
     if (!frame) break;
     const std::string part = plan.show.part(frame->number);
@@ -71,13 +71,13 @@ int render_golden(const RenderPlan& plan) {
   RenderFiles files(plan, plan.manifest());
   GoldenFrames report(plan.show.name(), golden_tracer_names()[static_cast<int>(*plan.tracer)],
                       plan.k);
-  FrameSequence frames(plan.jobs, plan.frames, [&]() -> FrameSequence::Render {
+  FrameSequence frames(plan.jobs, plan.frames.count(), [&]() -> FrameSequence::Render {
     return [&](int index) { return render_frame(plan, index); };
   });
   files.run([&] { render_frames(plan, frames, files, report); }, nullptr,
             [&] { return report.text(); });
   if (plan.json) print(report.text());
-  const bool whole = report.frames() == plan.frames;
+  const bool whole = report.frames() == plan.frames.count();
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return whole ? ExitGood : ExitInterrupted;
 }

@@ -76,15 +76,29 @@ void check_extension(const char* option, const std::string& path, const char* ex
     throw UsageError(fmt::format("{} writes {}; rename {}", option, extension, path));
 }
 
+// Of a show of so many frames.
+FramePlan planned_frames(const RenderOptions& options, int frames) {
+  if (!options.at.empty()) {
+    if (options.frames != 1 || options.first != 0 || options.every != 1)
+      throw UsageError("--at lists the frames; leave out --frames, --first and --every, or --at");
+    return {options.at, frames};
+  }
+  const int last = frames - 1;
+  return {checked("--frames", options.frames, 1, frames, "frames to render"),
+          checked("--first", options.first, 0, last, "the scene has the frames"),
+          checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
+          frames};
+}
+
 // Sound and pictures that would come out wrong.
 void check_outputs(const OutputPlan& plan) {
-  if (!plan.wav.empty() && plan.every != 1)
-    throw UsageError("--wav needs consecutive frames; leave out --every, or --wav");
-  if (!plan.sheet.empty() && plan.frames > MaxSheetFrames)
+  if (!plan.wav.empty() && plan.frames.every() != 1)
+    throw UsageError("--wav needs consecutive frames; leave out --every or --at, or --wav");
+  if (!plan.sheet.empty() && plan.frames.count() > MaxSheetFrames)
     throw UsageError(
         fmt::format("--sheet holds up to {} frames, not {}; use fewer --frames and "
                     "a larger --every",
-                    MaxSheetFrames, plan.frames));
+                    MaxSheetFrames, plan.frames.count()));
   check_extension("--gif", plan.gif, ".gif");
   check_extension("--wav", plan.wav, ".wav");
   if (const std::string own = extension_of(plan.sheet); !own.empty() && !format_of_file(plan.sheet))
@@ -97,7 +111,7 @@ void check_wave(const RenderPlan& plan) {
   if (plan.vcd.empty()) return;
   check_waveform_name(plan.vcd);
   if (plan.tracer) throw UsageError("--vcd needs the chip; leave out --golden, or --vcd");
-  if (plan.every != 1 || plan.jobs != 1 || plan.first + plan.frames > plan.show.frames())
+  if (!plan.frames.consecutive() || plan.jobs != 1)
     throw UsageError(
         "--vcd needs consecutive frames up to the end of the show, in one process; leave out "
         "--every and --jobs, or --vcd");
@@ -124,11 +138,9 @@ void check_sound(const RenderPlan& plan) {
 }
 
 // A reference of other frames would compare nothing.
-void check_against(const OutputPlan& plan, int frames) {
-  for (int i = 0; i < plan.frames; ++i)
-    if (plan.against->find(
-            static_cast<int>((plan.first + static_cast<long long>(i) * plan.every) % frames)))
-      return;
+void check_against(const OutputPlan& plan) {
+  for (int i = 0; i < plan.frames.count(); ++i)
+    if (plan.against->find(plan.frames.number(i))) return;
   throw UsageError(fmt::format("--against {} has none of these frames; it has {}",
                                plan.against->name(), plan.against->extent()));
 }
@@ -157,17 +169,12 @@ void check_distinct(const OutputPlan& plan) {
 
 // Frames beyond the last one are those from the start.
 void tell_of_wrap(const RenderPlan& plan) {
-  const long long last = plan.first + (plan.frames - 1LL) * plan.every;
-  if (last >= plan.show.frames())
+  if (plan.frames.goes_round())
     tell(fmt::format("the show has frames 0..{} and starts again: the last one is frame {}",
-                     plan.show.frames() - 1, plan.frame(plan.frames - 1)));
+                     plan.show.frames() - 1, plan.frames.number(plan.frames.count() - 1)));
 }
 
 }  // namespace
-
-int RenderPlan::frame(int index) const {
-  return static_cast<int>((first + static_cast<long long>(index) * every) % show.frames());
-}
 
 Manifest RenderPlan::manifest() const {
   Manifest manifest;
@@ -180,21 +187,17 @@ Manifest RenderPlan::manifest() const {
 }
 
 OutputPlan plan_output(const RenderOptions& options, int frames) {
-  const int last = frames - 1;
-  OutputPlan plan{
-      checked("--frames", options.frames, 1, frames, "frames to render"),
-      checked("--first", options.first, 0, last, "the scene has the frames"),
-      checked("--every", options.every, 1, std::max(1, last), "frames from one to the next"),
-      checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
-      checked("--jobs", options.jobs, 1, MaxJobs, "processes"),
-      {},
-      options.gif,
-      options.wav,
-      options.sheet,
-      options.stats,
-      options.crc,
-      options.json,
-      options.command};
+  OutputPlan plan{planned_frames(options, frames),
+                  checked("--gif-scale", options.gif_scale, 1, MaxGifScale, "pixels made one"),
+                  checked("--jobs", options.jobs, 1, MaxJobs, "processes"),
+                  {},
+                  options.gif,
+                  options.wav,
+                  options.sheet,
+                  options.stats,
+                  options.crc,
+                  options.json,
+                  options.command};
   plan.vcd = options.vcd;
   plan.overwrite = options.overwrite;
   check_outputs(plan);
@@ -203,7 +206,7 @@ OutputPlan plan_output(const RenderOptions& options, int frames) {
     throw UsageError("--overlay needs the model of the chip; leave out --golden or --tt, or it");
   if (!options.against.empty()) {
     plan.against = std::make_shared<ReferenceFrames>(options.against);
-    check_against(plan, frames);
+    check_against(plan);
   }
   plan_pictures(plan, options);
   check_distinct(plan);

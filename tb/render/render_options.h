@@ -12,6 +12,7 @@
 #include "tb/golden/golden_picture.h"
 #include "tb/judge/reference_frames.h"
 #include "tb/picture/picture_format.h"
+#include "tb/render/frame_plan.h"
 #include "tb/report/manifest.h"
 #include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
@@ -25,6 +26,7 @@ constexpr const char* Compare = "compare";
 /// The command line as it was written. An empty path: not asked for.
 struct RenderOptions : RunOptions, TtOptions {
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
+  std::string at;      ///< a list of frames instead
   std::string folder;  ///< or one picture
   std::string format;  ///< of the pictures; empty: PNG
   std::string gif, wav, sheet, stats;
@@ -39,7 +41,8 @@ struct RenderOptions : RunOptions, TtOptions {
 
 /// Which frames, and what is written about them. Every number is in its range.
 struct OutputPlan {
-  int frames, first, every, gif_scale, jobs;
+  FramePlan frames;
+  int gif_scale, jobs;
   std::string folder, gif, wav, sheet, stats;
   bool crc, json;
   std::vector<std::string> command;
@@ -68,8 +71,6 @@ struct RenderPlan : Run, OutputPlan {
   bool compare;                                      ///< the chip with the golden tracers
   std::map<std::string, ManifestUnit> unit_files{};  ///< what the units are made of
 
-  /// Number of the `index`-th frame; the show loops.
-  int frame(int index) const;
   /// What it is about.
   Manifest manifest() const;
 };

@@ -35,17 +35,18 @@ void refuse_scene_options(const RenderOptions& options) {
   refuse_with_tt(!options.units.empty(), "--use, or --tt");
   refuse_with_tt(!options.golden.empty(), "--golden, or --tt");
   refuse_with_tt(!options.level.empty(), "--level, or --tt");
+  refuse_with_tt(!options.at.empty(), "--at: it runs on from its reset");
   refuse_with_tt(options.jobs > 1, "--jobs: it runs on from its reset");
 }
 
 TtPlan plan_tt(const RenderOptions& options) {
   refuse_scene_options(options);
   TtPlan plan{plan_output(options, MostTtFrames), options.reading, {}, tt_inputs(options)};
-  if (plan.first + static_cast<long long>(plan.frames - 1) * plan.every >= MostTtFrames)
+  if (plan.frames.goes_round())
     throw UsageError(fmt::format("the last frame is beyond {}; every frame up to it is simulated",
                                  MostTtFrames - 1));
   if (!plan.vcd.empty()) check_waveform_name(plan.vcd);
-  if (!plan.vcd.empty() && plan.every != 1)
+  if (!plan.vcd.empty() && plan.frames.every() != 1)
     throw UsageError("--vcd needs consecutive frames; leave out --every, or --vcd");
   plan.project = read_tt_project(options.project, options.reading);
   return plan;
@@ -71,13 +72,14 @@ Manifest manifest_of(const TtPlan& plan) {
 // Simulates all frames up to the last and keeps the planned ones; ends early when interrupted.
 void render_frames(const TtPlan& plan, TtBench& bench, RenderFiles& files, PinsReport& report,
                    Against& against) {
-  const int last = plan.first + (plan.frames - 1) * plan.every;
+  const int last = plan.frames.number(plan.frames.count() - 1);
   Progress progress(last + 1);
   progress.draw(0, 0);
   if (!plan.json) print(report.table_header());
   for (int number = 0; number <= last && !interrupted(); ++number) {
     const TtBench::Frame frame = bench.render();
-    if (number >= plan.first && (number - plan.first) % plan.every == 0) {
+    if (number >= plan.frames.first() &&
+        (number - plan.frames.first()) % plan.frames.every() == 0) {
       files.add(number, plan.project.top, frame.picture);
       report.add(number, frame);
       against.add(number, frame.picture);
@@ -97,8 +99,8 @@ int render_tt(const RenderOptions& options) {
   plan.frames_per_second = run.found().frames_per_second();
   RenderFiles files(plan, manifest_of(plan));
   std::optional<TileWave> wave;
-  if (!plan.vcd.empty()) wave.emplace(run, plan.project.top, plan.first, plan.vcd);
-  TtBench bench(run, plan.checksums(), !plan.wav.empty(), plan.first);
+  if (!plan.vcd.empty()) wave.emplace(run, plan.project.top, plan.frames.first(), plan.vcd);
+  TtBench bench(run, plan.checksums(), !plan.wav.empty(), plan.frames.first());
   Against against(plan.against);
   PinsReport report(plan.project, plan.inputs, run.found(), plan.crc);
   for (const std::string& remark : assumptions(plan.project, run.found())) tell(remark);
@@ -109,7 +111,7 @@ int render_tt(const RenderOptions& options) {
   const bool differs = against.report(plan.json);
   if (bench.sound() && !bench.has_sound_pin())
     tell("uio_oe[7] was never 1: the chip has no sound pin, and the sound is silence");
-  const bool whole = report.frames() == plan.frames;
+  const bool whole = report.frames() == plan.frames.count();
   if (!whole || plan.writes()) tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   for (const std::string& fault : complaints(bench.faults())) tell(fault);
   if (differs || bench.faults().any()) return ExitDifference;

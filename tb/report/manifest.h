@@ -1,8 +1,8 @@
 // manifest.json: how the pictures in a folder were made, schema "racebeam-manifest" version 1.
 //
 // Several runs with the same settings may add frames to one folder: "command", "first_frame",
-// "every", "frames_wanted", "frames_rendered" and "complete" tell of the last of them; "frames",
-// "files" and "earlier_commands" of all.
+// "every" (0: frames of a list), "frames_wanted", "frames_rendered" and "complete" tell of the last
+// of them; "frames", "files" and "earlier_commands" of all.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -76,7 +76,7 @@ nlohmann::ordered_json StatsReport::json_of_counts(const frame_counts& counts) c
     json[engine_.counters[n].name] = counts.counters[n];
   for (std::size_t n = 0; n < counts.histograms.size(); ++n) {
     const histogram_info& row = engine_.histograms[n];
-    json[row.name] = json_of(counts.histograms[n], knobs_.*row.most);
+    json[row.name] = json_of(counts.histograms[n], row.largest(knobs_));
   }
   return json;
 }

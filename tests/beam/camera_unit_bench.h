@@ -135,7 +135,9 @@ class CameraUnitKnobTest : public testing::Test {
   }
 
   void check_line(const View& of_line, int of_y) {
-    const Line want = expected_line(of_line, of_y);
+    check_line(of_line, of_y, expected_line(of_line, of_y));
+  }
+  void check_line(const View& of_line, int of_y, const Line& want) {
     ASSERT_EQ(run_line(of_line, of_y), want.first_run_clock);
     ASSERT_EQ(dr1, want.dr_0);
     ASSERT_EQ(dr2, want.dr_0);
@@ -158,6 +160,40 @@ class CameraUnitKnobTest : public testing::Test {
         ASSERT_NEAR(dr2[a], want.dr_0[a] * scale, tolerance) << frame << " axis " << a;
         ASSERT_NEAR(bench->read("delta")[a], want.ddr[a] * scale, tolerance)
             << frame << " axis " << a;
+      }
+    }
+  }
+
+  /// Lines with a shorter head start; the last time one line is left before its tracer begins.
+  void check_head_start(int wait) {
+    knobs k;
+    k.head_start = wait;
+    build(k);
+    for (const int line : {-240, 0, 239}) {
+      const View of_line = view_of(700, 0, line);
+      Line want = expected_line(of_line, line);
+      want.first_run_clock += wait;
+      check_line(of_line, line, want);
+      start_line(of_line, line);
+      for (int c = 0; c < want.first_run_clock - 1; ++c) clock();
+      check_line(of_line, line, want);
+      if (this->HasFatalFailure()) return;
+    }
+  }
+
+  void check_ddr_fraction(int bits) {
+    knobs k;
+    k.ddr_fraction_bits = bits;
+    build(k);
+    for (const int line : {-240, 0, 239}) {
+      const View of_line = view_of(700, 0, line);
+      const Line whole = expected_line(of_line, line);
+      EXPECT_EQ(run_line(of_line, line), whole.first_run_clock);
+      const vec3 ddr = bench->read("delta");
+      for (int a = 0; a < 3; ++a) {
+        EXPECT_EQ(ddr[a], floor_shift(whole.ddr[a], 9 - bits) * (1 << (9 - bits)));
+        const int left_out = whole.ddr[a] - ddr[a];
+        EXPECT_NEAR(dr2[a], whole.dr_0[a] + 320 * left_out / 512.0, 3) << "axis " << a;
       }
     }
   }

@@ -195,6 +195,20 @@ TYPED_TEST(CameraUnitTest, RunHoldsWhateverTheTracerDoes) {
   }
 }
 
+// Knob head_start: the same vectors, so many clocks later; the end of a line ends the wait.
+TYPED_TEST(CameraUnitKnobTest, HeadStart1HoldsRunBackAndNothingElse) { this->check_head_start(1); }
+TYPED_TEST(CameraUnitKnobTest, HeadStart37HoldsRunBackAndNothingElse) {
+  this->check_head_start(37);
+}
+TYPED_TEST(CameraUnitKnobTest, HeadStart320HoldsRunBackAndNothingElse) {
+  this->check_head_start(320);
+}
+
+// Knob ddr_fraction_bits: dr_0 and ddr are made of a right vector without the other bits.
+TYPED_TEST(CameraUnitKnobTest, DdrWithoutFractionBits) { this->check_ddr_fraction(0); }
+TYPED_TEST(CameraUnitKnobTest, DdrWith4FractionBits) { this->check_ddr_fraction(4); }
+TYPED_TEST(CameraUnitKnobTest, DdrWith8FractionBits) { this->check_ddr_fraction(8); }
+
 // Knob dr_bits: the same clocks; the directions in another scale, a few units off.
 TYPED_TEST(CameraUnitKnobTest, ClocksAndDirectionsAtDrBits8) { this->check_scale(8, 4); }
 

@@ -31,16 +31,17 @@ TEST_P(ChipKnobs, WiresGiveThePinsAndCountersOfTheCores) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs,
-                         testing::Values("interval_stack_depth=1", "interval_stack_depth=64",
-                                         "face_stack_depth=4", "max_room_depth=5", "fifo_entries=3",
-                                         "fifo_entries=64", "fifo_short_length_bits=3",
-                                         "hurry_threshold=-1", "dr_bits=8", "dr_bits=13",
-                                         "corner_bits=11", "corner_factor_bits=6",
-                                         "corner_factor_bits=12", "partial_products_cut=0",
-                                         "bisection=midpoint", "stepping=fraction", "interlace=off",
-                                         "dithering=off", "clocks_per_pixel=1",
-                                         "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7"));
+INSTANTIATE_TEST_SUITE_P(
+    Settings, ChipKnobs,
+    testing::Values("interval_stack_depth=1", "interval_stack_depth=64", "face_stack_depth=4",
+                    "max_room_depth=5", "fifo_entries=3", "fifo_entries=64",
+                    "fifo_short_length_bits=3", "hurry_threshold=-1", "dr_bits=8", "dr_bits=13",
+                    "corner_bits=11", "corner_factor_bits=6", "corner_factor_bits=12",
+                    "partial_products_cut=0", "bisection=midpoint", "stepping=fraction",
+                    "interlace=off", "dithering=off", "clocks_per_pixel=1", "clocks_per_pixel=3",
+                    "skip_shared_edges=on", "speed=7", "head_start=320", "bisection=floor",
+                    "stepping=fraction_dr2", "ddr_fraction_bits=4", "corner_rounding=on",
+                    "fifo_merge=off"));
 
 /// Statistics of a frame with one knob changed.
 frame_stats with(const char* setting, int frame = CrowdedFrame) {
@@ -87,6 +88,30 @@ TEST(KnobEffects, SkippingSharedEdgesSavesDecisionsAndLetsNothingStarve) {
   const frame_stats s = with("skip_shared_edges=on");
   EXPECT_LT(s.decisions(), chip().decisions() * 3 / 4);
   EXPECT_LT(s.starved_pixels, chip().starved_pixels / 100);
+}
+
+// Rooms and their decisions are the same; only the beam is nearer.
+TEST(KnobEffects, WithoutItsHeadStartEveryLineBeginsLaterAndMorePixelsStarve) {
+  const frame_stats s = with("head_start=320");
+  for (std::size_t line = 0; line < s.camera_clocks.size(); ++line)
+    ASSERT_EQ(s.camera_clocks[line], chip().camera_clocks[line] + 320) << line;
+  EXPECT_GT(s.starved_pixels, chip().starved_pixels);
+  EXPECT_GE(s.starved_pixels, 480u * 44 / 2) << "the camera alone takes 44 clocks";
+}
+
+TEST(KnobEffects, WithoutMergingTheFifoIsFullMoreOften) {
+  EXPECT_GT(with("fifo_merge=off", 700).fifo_full_stalls, with("speed=0", 700).fifo_full_stalls);
+}
+
+TEST(KnobEffects, NoStoredFractionBitsIsTheJumper) {
+  knobs k;
+  k.stepping = SteppingFraction;
+  k.stepping_fraction_bits = 0;
+  EXPECT_EQ(CoreBench(k, CrowdedFrame).render().pins_crc,
+            CoreBench({}, CrowdedFrame).render().pins_crc);
+  k.stepping_fraction_bits = 4;
+  EXPECT_NE(CoreBench(k, CrowdedFrame).render().pins_crc,
+            CoreBench({}, CrowdedFrame).render().pins_crc);
 }
 
 TEST(KnobEffects, MoreClocksPerPixelStarveLess) {

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <string>
-#include <tuple>
 
 #include "tb/scene/scene_reader.h"
 #include "tb/show/demo_parts.h"
@@ -46,7 +45,7 @@ class Pair {
       ASSERT_EQ(lines_.y(), y);
       const std::string where =
           "frame " + std::to_string(lines_.frame()) + " line " + std::to_string(y);
-      ASSERT_TRUE(same_registers()) << where;
+      ASSERT_TRUE(chip_.same_video(lines_.registers())) << where;
       ASSERT_EQ(lines_.visible(), y >= -240 && y < 240);
       if (lines_.visible()) {
         ASSERT_TRUE(lines_.pixels() == row) << where;
@@ -66,23 +65,6 @@ class Pair {
       last = t.line_end;
     }
     return row;
-  }
-  bool same_registers() const {
-    const chip_core &a = chip_, &b = lines_.registers();
-    const auto timing = [](const vga_timing_core& c) {
-      return std::tie(c.h_region_q, c.h_pos_q, c.half_q, c.v_region_q, c.v_pos_q, c.vs_q);
-    };
-    const auto camera = [](const camera_unit_core& c) {
-      return std::tie(c.pass_q, c.phase_q, c.step_seen_q, c.pstage_q, c.pclk_q, c.psign_q, c.ddr_q);
-    };
-    const auto navigator = [](const navigator_core& c) {
-      return std::tie(c.nav_state_q, c.position_q, c.room_q, c.portal_q);
-    };
-    return timing(a.vga_timing) == timing(b.vga_timing) && a.frame() == b.frame() &&
-           camera(a.camera_unit) == camera(b.camera_unit) &&
-           navigator(a.navigator) == navigator(b.navigator) && a.ray_stepper == b.ray_stepper &&
-           a.subdivider == b.subdivider && a.stacks == b.stacks &&
-           a.decision_datapath == b.decision_datapath && a.interval_fifo == b.interval_fifo;
   }
 
   const knobs knobs_;

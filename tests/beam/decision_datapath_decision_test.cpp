@@ -117,5 +117,28 @@ TYPED_TEST(DecisionDatapathDecisionKnobs, WideFactorsAndNoCutGiveTheSignOfTheExa
   EXPECT_GT(differs, 100) << "and the chip's would often differ";
 }
 
+// Without a cut the answer is that of the factors' products; rounding, saturated, changes factors.
+TYPED_TEST(DecisionDatapathDecisionKnobs, FactorsAreRoundedWhereTheyAreShifted) {
+  knobs k;
+  k.corner_rounding = 1;
+  k.partial_products_cut = 0;
+  Dut<TypeParam> d(k);
+  std::mt19937 random(404);
+  const auto upto = [&](int n) { return static_cast<int>(random() % n); };
+  int differs = 0;
+  for (int n = 0; n < 4000; ++n) {
+    const vec3 c{upto(1 << (1 + upto(11))), upto(1 << (1 + upto(11))), 0};
+    vec3 dr{upto(512), 0, 0};
+    dr[1] = c[0] ? std::min(511, c[1] * dr[0] / c[0] + upto(2)) : upto(512);  // close calls
+    int scale = 1;
+    while (std::max(c[0], c[1]) / scale > 255) scale *= 2;
+    const auto factor = [scale](int x) { return std::min(255, (2 * x + scale) / (2 * scale)); };
+    const bool rounded = factor(c[0]) * dr[1] >= factor(c[1]) * dr[0];
+    ASSERT_EQ(d.root_bit(c, dr), rounded) << c[0] << ',' << c[1] << ' ' << dr[0] << ',' << dr[1];
+    differs += rounded != (c[0] / scale * dr[1] >= c[1] / scale * dr[0]);
+  }
+  EXPECT_GT(differs, 50) << "and without rounding it would often differ";
+}
+
 }  // namespace
 }  // namespace racebeam

@@ -184,5 +184,24 @@ TYPED_TEST(IntervalFifoKnobs, QueueOf3EntriesIsFullWith3) {
   EXPECT_TRUE(d.offer(1, 3));
 }
 
+TYPED_TEST(IntervalFifoKnobs, WithoutMergingEveryIntervalIsAnEntryUnlessTheBeamStarves) {
+  knobs k;
+  k.fifo_merge = 0;
+  Dut<TypeParam> d(k);
+  d.clock(1);
+  EXPECT_TRUE(d.offer(1, 2)) << "starving: becomes the head";
+  EXPECT_EQ(d.fill(), 1);
+  for (int n = 2; n <= 10; ++n) {
+    EXPECT_TRUE(d.offer(1, 2));
+    EXPECT_EQ(d.fill(), n);
+  }
+  EXPECT_FALSE(d.offer(1, 2)) << "full";
+  for (int n = 0; n < 10; ++n, d.clock(1)) {
+    EXPECT_EQ(d.display(), 2);
+    EXPECT_FALSE(d.starving());
+  }
+  EXPECT_TRUE(d.starving());
+}
+
 }  // namespace
 }  // namespace racebeam

@@ -25,11 +25,13 @@ constexpr int floor_shift(int a, int k) {
 /// Bit `n` of `a` in two's complement.
 constexpr int bit(int a, int n) { return floor_shift(a, n) & 1; }
 
-/// What dr2 has gained at pixel `i` (contract 8, "Consequence").
-inline int J(int ddr, int i) {
+/// What dr2 has gained at pixel `i` (contract 8, "Consequence"), in units of 2^-stored.
+inline int J(int ddr, int i, int stored = 0) {
+  const int dropped = 9 - stored;
   int sum = 0;
   for (int k = 0; k <= 9; ++k)
-    if (bit(i, k)) sum += floor_shift(ddr * (1 << k), 9) + (k <= 8 ? bit(ddr, 8 - k) : 0);
+    if (bit(i, k))
+      sum += floor_shift(ddr * (1 << k), dropped) + (k < dropped ? bit(ddr, dropped - 1 - k) : 0);
   return sum;
 }
 
@@ -121,6 +123,16 @@ class RayStepperKnobTest : public testing::Test {
                                << ddr[0] << "," << ddr[1] << "," << ddr[2];
       }
     }
+  }
+  /// The same walks with fractions stored.
+  void expect_stored(int rule, int bits, bool powers_of_two) {
+    knobs k;
+    k.stepping = rule;
+    k.stepping_fraction_bits = bits;
+    k.bisection = powers_of_two ? BisectionPow2 : BisectionMidpoint;
+    build(k);
+    walk(150, powers_of_two,
+         [bits](int dr_0, int ddr, int i) { return dr_0 + floor_shift(J(ddr, i, bits), bits); });
   }
   static int without_fraction(int dr_0, int ddr, int i) { return dr_0 + J(ddr, i); }
 

@@ -49,6 +49,38 @@ TYPED_TEST(RayStepperKnobTest, FractionStepsExactly) {
   this->walk(300, true, [](int dr_0, int ddr, int i) { return dr_0 + floor_shift(ddr * i, 9); });
 }
 
+// Knob stepping_fraction_bits: the rule without fractions, in units of the last bit stored.
+TYPED_TEST(RayStepperKnobTest, NoFractionBitsStoredIsTheJumper) {
+  this->expect_stored(SteppingFraction, 0, true);
+}
+TYPED_TEST(RayStepperKnobTest, FourFractionBitsRoundTheOtherFive) {
+  this->expect_stored(SteppingFraction, 4, true);
+}
+TYPED_TEST(RayStepperKnobTest, EightFractionBitsInDr2AloneRoundTheLast) {
+  this->expect_stored(SteppingFractionDr2, 8, true);
+}
+TYPED_TEST(RayStepperKnobTest, StepsOfAnySizeKeepStoredFractions) {
+  this->expect_stored(SteppingFractionDr2, 5, false);
+}
+TYPED_TEST(RayStepperKnobTest, NineFractionBitsAreExactForStepsOfAnySize) {
+  this->expect_stored(SteppingFraction, 9, false);
+}
+
+TYPED_TEST(RayStepperKnobTest, FractionOfDr2AloneIsLostInTheCopy) {
+  knobs k;
+  k.stepping = SteppingFractionDr2;
+  this->build(k);
+  this->put_dr2({});
+  this->delta({300, -1, 511});
+  this->step(0, 1, false);  // 300/512, -1/512, 511/512
+  this->pulse({"copy_sub_i"});
+  this->step(1, 512, false);
+  this->pulse({"tracer_reset_i", "load_i"});
+  EXPECT_EQ(this->dr2(), (vec3{0, -1, 0}));
+  this->step(1, 1, false);
+  EXPECT_EQ(this->dr2(), (vec3{0, -2, 0})) << "-1 - 1/512";
+}
+
 TYPED_TEST(RayStepperKnobTest, FractionTravelsWithTheCopyAndTheLoad) {
   knobs k;
   k.stepping = SteppingFraction;

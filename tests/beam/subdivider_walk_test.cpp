@@ -111,6 +111,22 @@ TYPED_TEST(SubdividerWalkKnobs, MidpointBisectionFindsEveryPixelInTenClocks) {
   expect_all_splits(d, 639, 10);
 }
 
+// The power of two up to half of 639 leaves one pixel after 17 clocks at most.
+TYPED_TEST(SubdividerWalkKnobs, FloorBisectionHalvesDownwardsAndFindsEveryPixel) {
+  knobs k;
+  k.bisection = BisectionFloor;
+  Dut<TypeParam> d(k);
+  for (int width = 2; width <= 1023; ++width) {
+    int power = 1;
+    while (4 * power <= width) power *= 2;
+    d.start(width, width);
+    d.clock();
+    d.see("dec_i", 1);
+    ASSERT_EQ(d.step(), -power) << "width " << width;
+  }
+  expect_all_splits(d, 639, 17);
+}
+
 // 17.4, 9.6: one pixel forward on each consume, instead of any other step.
 TYPED_TEST(SubdividerWalkTest, LockStepsOnePixelOnEachConsume) {
   auto& d = this->dut;

@@ -47,6 +47,8 @@ TEST_F(TlmRegisters, ShowsTheStatisticsOfTheLastWholeFrame) {
   for (std::size_t i = 0; i < want.fifo_fill.size(); ++i) {
     EXPECT_EQ(host.read_64(RegisterFifoFill + 8 * i), want.fifo_fill[i]);
     EXPECT_EQ(host.read_64(RegisterStackDepth + 8 * i), want.stack_depth[i]);
+    EXPECT_EQ(host.read_64(RegisterWalkSteps + 8 * i), want.walk_steps[i]);
+    EXPECT_EQ(host.read_64(RegisterSlack + 8 * i), want.slack[i]);
   }
   std::vector<int> rows(VisibleRows);
   const auto read_rows = [&](std::uint64_t address) {
@@ -58,6 +60,7 @@ TEST_F(TlmRegisters, ShowsTheStatisticsOfTheLastWholeFrame) {
   EXPECT_EQ(read_rows(RegisterFirstEmit), want.first_emit);
   EXPECT_EQ(read_rows(RegisterDoneClock), want.done_clock);
   EXPECT_EQ(read_rows(RegisterBusyClocks), want.busy_clocks);
+  EXPECT_EQ(read_rows(RegisterStackNeeded), want.stack_needed);
 }
 
 TEST_F(TlmRegisters, ResetRegisterStartsTheDemoAnewBeforeTheNextLine) {

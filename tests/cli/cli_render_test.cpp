@@ -169,6 +169,35 @@ TEST_F(CliRenderTest, DemoLoops) {
   EXPECT_EQ(names().count("o/frame_0000.png"), 1);
 }
 
+TEST_F(CliRenderTest, AtListsTheFramesInTheirOrder) {
+  Program program(folder.path(), {"render", "demo", "--at", "3900,60-62,61,5", "-o", "out",
+                                  "--stats", "a.json", "--jobs", "2"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  EXPECT_EQ(frame_numbers(parse("a.json")), (std::vector<int>{3900, 60, 61, 62, 5}));
+  EXPECT_EQ(parse("out/manifest.json")["frames"], (json{5, 60, 61, 62, 3900}));
+  Program same(folder.path(), {"render", "demo", "--first", "61", "--stats", "b.json"});
+  ASSERT_EQ(same.wait(), 0) << same.err();
+  EXPECT_EQ(parse("a.json")["frames"][2], parse("b.json")["frames"][0]);
+}
+
+TEST_F(CliRenderTest, AtRefusesWhatIsNoListOfFrames) {
+  for (const auto& [list, why] : {std::pair{"5,", "'' is no frame"},
+                                  {"7-3", "'7-3' is no frame"},
+                                  {"x", "'x' is no frame"},
+                                  {"5;6", "'5;6' is no frame"},
+                                  {"12799", "frames 0..12798"},
+                                  {"-1", "frames 0..12798"},
+                                  {"99999999999999999999", "out of range"}}) {
+    Program program(folder.path(), {"render", "demo", std::string("--at=") + list, "-o", "out"});
+    EXPECT_EQ(program.wait(), 2) << list;
+    EXPECT_THAT(program.err(), HasSubstr(why)) << list;
+  }
+  Program both(folder.path(), {"render", "demo", "--at", "5", "--every", "2"});
+  EXPECT_EQ(both.wait(), 2);
+  EXPECT_THAT(both.err(), HasSubstr("leave out --frames, --first and --every, or --at"));
+  EXPECT_EQ(names(), Names{});
+}
+
 TEST_F(CliRenderTest, InterruptionKeepsWholeFrames) {
   for (const int number : {SIGINT, SIGTERM}) {
     const std::string out = "out" + std::to_string(number);

@@ -135,7 +135,7 @@ TEST(GoldenWorld, TheTunnelIsOneSpacePastItsLastRoom) {
 
 // Contract 20.2: closest powers of two; the switch is found wherever it is.
 TEST(GoldenSwitch, FindsEverySwitch) {
-  for (const int rule : {BisectionPow2, BisectionMidpoint})
+  for (const int rule : {BisectionPow2, BisectionMidpoint, BisectionFloor})
     for (int right = 1; right < 640; right += right < 20 ? 1 : 37)
       for (int last = 0; last < right; ++last)
         ASSERT_EQ(golden_switch(0, right, rule, [&](int p) { return p <= last; }), last);

@@ -35,7 +35,9 @@ void chip_lines::run_line() {
     run_sound_line(chip_.pwm_sound, raster_, knobs_.speed, y_, frame_, sound_changes_);
   const line_setting line = setting();
   const bool pattern = line.choice[0].lock || line.choice[1].lock;
-  if (y_ == LastLine || chip_.navigator.nav_state_q != NavIdle || (pattern && options_.pins))
+  const bool pattern_before_run = knobs_.head_start > 0;  // in columns before the tracer starts
+  if (y_ == LastLine || chip_.navigator.nav_state_q != NavIdle ||
+      (pattern && (options_.pins || pattern_before_run)))
     run_slowly();
   else run_fast(line);
 }

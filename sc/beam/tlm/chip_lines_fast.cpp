@@ -50,7 +50,7 @@ line_setting chip_lines::setting() {
           {colour(0), colour(1), colour(2), colour(3)},
           pattern && visible_ ? pixels_.data() : nullptr,
           options_.observer,
-          visible_ ? collector_.stats().stack_depth.data() : nullptr,
+          visible_ ? &collector_.stats() : nullptr,
           &rooms_told_};
 }
 
@@ -77,6 +77,7 @@ void chip_lines::run_fast(const line_setting& line) {
     for (; clock < SettlingClocks; ++clock) chip_.clock_video(true, knobs_);
   const int angles[3] = {angle(AngleYaw), angle(AnglePitch), angle(AngleFov)};
   for (; !chip_.camera_unit.run(); ++clock) camera_clock(angles);
+  beam_.hold(clock);
   const line_counts counts = trace(line, clock);
   count(counts);
   beam_.advance(raster_.size() - 1);
@@ -129,14 +130,14 @@ line_counts chip_lines::trace(const line_setting& line, int clock) {
 // The clock in which the line ends: all units.
 void chip_lines::last_clock() {
   frame_stats& stats = collector_.stats();
-  const auto& fifo = chip_.interval_fifo;
-  const int fill = fifo.fill(knobs_);
-  const bool starving = fifo.starving(knobs_);
-  const int uo = chip_.clock_video(true, knobs_);
+  chip_view view;
+  const int uo = chip_.clock_video(true, knobs_, &view);
   if (options_.pins) pins_.push_back(static_cast<std::uint8_t>(uo));
   if (!visible_) return;
-  ++stats.fifo_fill[fill];
+  ++stats.fifo_fill[view.fill];
+  const bool starving = view.starving || !view.run;
   stats.starved_pixels += starving;
+  stats.seen_starved_pixels += starving && !view.lock;
   const int colour = pixel_output_core::colour_of_pins(uo);
   pixels_.back() = static_cast<std::uint8_t>(colour);
   if (options_.observer) options_.observer->shown(y_, VisibleColumns - 1, 1, colour);
@@ -159,10 +160,14 @@ void chip_lines::count(const line_counts& c) {
   to.give_ups += c.give_ups;
   to.fifo_full_stalls += c.stalls;
   to.rooms_entered += c.rooms;
+  to.merges += c.merges;
+  to.sign_splits += c.sign_splits;
+  to.seen_starved_pixels += c.seen_starved;
   to.camera_clocks.push_back(c.camera_clock);
   to.first_emit.push_back(c.first_emit);
   to.done_clock.push_back(c.done_clock);
   to.busy_clocks.push_back(c.clocks - c.stalls);
+  to.stack_needed.push_back(c.stack_needed);
 }
 
 // The pins of all clocks but the last.

@@ -13,10 +13,19 @@ void line_beam::pass(int until) {
   now_ = until;
 }
 
-// The next columns show what is on display.
-void line_beam::show(int columns) {
-  if (wishes_.stats && fifo_.head_only(knobs_))
-    wishes_.stats->starved_pixels += columns - std::clamp(fifo_.head_len_q + 1, 0, columns);
+void line_beam::hold(int clock) {
+  const int columns = raster_.columns_before[clock];
+  show(columns, columns);
+  pass(clock);
+  fifo_.hold(columns, knobs_);
+}
+
+// The next columns show what is on display: nothing of their own while starved.
+void line_beam::show(int columns, int starved) {
+  if (wishes_.stats) {
+    wishes_.stats->starved_pixels += starved;
+    if (wishes_.row) wishes_.stats->seen_starved_pixels += starved;
+  }
   if (wishes_.row) {
     const std::uint8_t colour = wishes_.colours[display()];
     std::fill_n(wishes_.row + column_, columns, colour);
@@ -25,9 +34,15 @@ void line_beam::show(int columns) {
   column_ += columns;
 }
 
+// Of the next columns, if nothing is taken in.
+int line_beam::starved(int columns) const {
+  if (!fifo_.head_only(knobs_)) return 0;
+  return columns - std::clamp(fifo_.head_len_q + 1, 0, columns);
+}
+
 // One clock.
 void line_beam::step(const interval_fifo_core::inputs& in) {
-  if (in.consume) show(1);
+  if (in.consume) show(1, starved(1));
   pass(now_ + 1);
   fifo_.clock(in, knobs_);
 }
@@ -41,7 +56,7 @@ void line_beam::advance(int clock) {
     const int before = raster_.columns_before[clock] - column_;  // columns to be consumed
     const int quiet = std::min(before, fifo_.quiet_pixels(knobs_));
     if (quiet > 0) {
-      show(quiet);
+      show(quiet, starved(quiet));
       pass(column_end(column_ - 1));
       fifo_.count_down(quiet, knobs_);
     }

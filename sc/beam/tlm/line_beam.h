@@ -26,7 +26,8 @@ class line_beam {
   /// What is wanted of a line; nothing where a pointer is nullptr.
   struct wishes {
     int y;
-    std::uint8_t* row;            ///< 640 pixels in the colours of the display indices
+    std::uint8_t* row;  ///< 640 pixels in the colours of the display indices; nullptr, too,
+                        ///< where a pattern may hide them
     const std::uint8_t* colours;  ///< 4
     frame_stats* stats;
     chip_observer* observer;
@@ -37,6 +38,8 @@ class line_beam {
     wishes_ = w;
     now_ = column_ = 0;
   }
+  /// From the first clock of a line to another: the FIFO is in reset.
+  void hold(int clock);
   /// To a clock of the line, without an offer.
   void advance(int clock);
   /// An offer in a clock; whether it is accepted. If so the clock is done.
@@ -47,6 +50,8 @@ class line_beam {
   int offer_again() const;
   /// Column that is shown next, and the clock in which it is consumed.
   int column() const { return column_; }
+  /// Nothing is left to show in the clock advanced to.
+  bool starving() const { return fifo_.starving(knobs_); }
   /// Display index in the clock advanced to.
   int display() const { return fifo_.display(knobs_); }
 
@@ -58,7 +63,8 @@ class line_beam {
     return column < VisibleColumns ? raster_.column_clock[column] + 1 : raster_.size();
   }
   void step(const interval_fifo_core::inputs& in);
-  void show(int columns);
+  int starved(int columns) const;
+  void show(int columns, int starved);
   void pass(int until);
 
   const knobs knobs_;

@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +20,9 @@ namespace racebeam {
 /// The events of one line before line_done, and clocks of the line.
 struct line_counts {
   int left = 0, right = 0, bisect = 0, adjust = 0, descents = 0, pushes = 0, returns = 0,
-      return_clocks = 0, emits = 0, restarts = 0, give_ups = 0, stalls = 0, rooms = 0;
+      return_clocks = 0, emits = 0, restarts = 0, give_ups = 0, stalls = 0, rooms = 0, merges = 0,
+      sign_splits = 0, seen_starved = 0;
+  int stack_needed = 0;
   int camera_clock = -1, first_emit = -1, done_clock = -1;
   int clocks = 0;  ///< of the tracer
 
@@ -38,6 +42,21 @@ struct room_teller {
   }
 };
 
+/// Counts the pixels first..last, which the FIFO takes in a clock of the line, by the clocks until
+/// they are shown, each one column further right; those that come too late are not counted.
+inline void add_slack(std::array<std::uint64_t, 65>& slack, const line_raster& raster, int clock,
+                      int first, int last) {
+  int column = std::max(first + 1, raster.columns_before[clock + 1]);
+  const int end = std::min(last + 2, VisibleColumns);
+  while (column < end) {
+    const int bin = (raster.column_clock[column] - clock) / SlackBin;
+    const int beyond = std::min(clock + SlackBin * (bin + 1), raster.size());
+    const int next = std::min(raster.columns_before[beyond], end);
+    bin_of(slack, bin) += next - column;
+    column = next;
+  }
+}
+
 struct line_setting {
   const knobs& k;
   const line_raster& raster;
@@ -49,7 +68,7 @@ struct line_setting {
   std::uint8_t colours[4];      ///< of the display indices, without the pattern
   std::uint8_t* row;            ///< pixels that show the pattern, if it may hold; else nullptr
   chip_observer* observer;
-  std::uint64_t* depths;    ///< histogram of the interval stack's entries, 65 of them
+  frame_stats* histograms;  ///< into which its histograms go, or nullptr
   room_teller* rooms_told;  ///< to the observer, of this line
 };
 

@@ -21,8 +21,9 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
   int starves_from = beam.starves_from();
   line_counts counts, at_done;
   counts.camera_clock = t;
-  std::uint64_t unseen[65]{};
-  std::uint64_t* depths = line.depths ? line.depths : unseen;
+  frame_stats unseen;
+  frame_stats* histograms = line.histograms ? line.histograms : &unseen;
+  int walk = 0, stack = 0, colour_before = 0;
   tracer_round round;
   bool given_up = false;
   int column = line.raster.columns_before[t];  // Pattern: the next to be shown
@@ -35,13 +36,14 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
   // Pattern: the next column, now.
   const auto show_column = [&](const sequencer_outputs& choice) {
     if (line.row) {
+      beam.advance(line.raster.column_clock[column]);
+      counts.seen_starved += !choice.lock && beam.starving();
       int colour;
       if (choice.lock) {
         colour = pixel_output_core::colour(
             {0, true, choice.inverse, true, true, true, rays.dr2_q, choice.palette, choice.colours},
             k);
       } else {
-        beam.advance(line.raster.column_clock[column]);
         colour = line.colours[beam.display()];
       }
       line.row[column] = static_cast<std::uint8_t>(colour);
@@ -99,6 +101,9 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       if (in.ack) {
         starves_from = beam.starves_from();
         ++counts.emits;
+        counts.merges += value == colour_before;
+        colour_before = value;
+        if (!given_up) add_slack(histograms->slack, line.raster, t, sub.i1_q, sub.i2_q);
         if (counts.first_emit < 0) counts.first_emit = t;
         if (Watch)
           line.observer->interval({line.y, t, sub.i1_q, sub.i2_q, value, place.room_q,
@@ -110,15 +115,29 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
 
     // The move, and what is counted of it.
     const auto move = sub.comb(in, k);
-    ++depths[sub.sd_q];
-    if (InReturn || emit) ++counts.return_clocks;
-    else if (State == StateLeft && sub.idx2_q != sub.i2_q) counts.adjust += !in.second;
-    else if (!in.second)
+    ++histograms->stack_depth[sub.sd_q];
+    if (InReturn || emit) {
+      ++counts.return_clocks;
+      walk = 0;
+      stack = move.restart ? 0 : stack - move.advance;
+    } else if (State == StateLeft && sub.idx2_q != sub.i2_q) {
+      counts.adjust += !in.second;
+      ++walk;
+    } else if (!in.second) {
       ++(State == StateLeft ? counts.left : State == StateRight ? counts.right : counts.bisect);
+      if (State == StateLeft) {
+        ++bin_of(histograms->walk_steps, walk);
+        walk = 0;
+      }
+      if (State == StateRight) counts.sign_splits += ((sub.d1_q ^ in.dec) & in.mask & ~1) != 0;
+    }
     if (move.descend) {
       ++counts.descents;
       counts.rooms += place.level_q == 7;
-      counts.pushes += move.push;
+      if (move.push) {
+        ++counts.pushes;
+        counts.stack_needed = std::max(counts.stack_needed, ++stack);
+      }
     }
 
     // The room.
@@ -180,14 +199,14 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
         const int left_out = std::min(beam.offer_again(), end) - t;
         counts.stalls += left_out;
         counts.return_clocks += left_out;
-        depths[sub.sd_q] += left_out;
+        histograms->stack_depth[sub.sd_q] += left_out;
         leave_out(left_out);
       }
       if (sub.line_done_q) {
         counts.clocks = t - begin;
         if (t < end) counts.done_clock = t;
         at_done = counts;
-        depths = unseen;
+        histograms = &unseen;
       }
     }
     if (was_done && move.restart) {
@@ -214,7 +233,8 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       rays.clock(step, k);
       sub.follow_beam(1);
       counts.adjust += next - t;
-      depths[sub.sd_q] += next - t;
+      histograms->stack_depth[sub.sd_q] += next - t;
+      walk += next - t;
       t = next;
     }
   };

@@ -42,11 +42,14 @@ enum register_address : std::uint64_t {
   RegisterHistograms = 0x400,  ///< in the order of histogram_table(), at HistogramPitch
   RegisterFifoFill = 0x400,
   RegisterStackDepth = 0x800,
-  RegisterLines = 0x1000,  ///< in the order of line_table(), at LinesPitch
-  RegisterCameraClocks = 0x1000,
-  RegisterFirstEmit = 0x1800,
-  RegisterDoneClock = 0x2000,
-  RegisterBusyClocks = 0x2800,
+  RegisterWalkSteps = 0xc00,
+  RegisterSlack = 0x1000,
+  RegisterLines = 0x4000,  ///< in the order of line_table(), at LinesPitch
+  RegisterCameraClocks = 0x4000,
+  RegisterFirstEmit = 0x4800,
+  RegisterDoneClock = 0x5000,
+  RegisterBusyClocks = 0x5800,
+  RegisterStackNeeded = 0x6000,
 };
 constexpr std::uint64_t HistogramPitch = 0x400, LinesPitch = 0x800;
 constexpr std::uint32_t RegisterIdValue = 0x6d616562;  // "beam"
