@@ -1,17 +1,22 @@
-# add_part(<folder> [LINKS <folder or library>...] [WITHOUT <file>...])
+# add_part(<folder> [LINKS <folder or library>...] [WITHOUT <file>...] [HEADERS <header>...])
 #
 # The sources of a folder, main.cpp left out, as one library. The folders that it links are those
 # that it may include, with what they link in turn; all of them come before it, so that nothing
 # runs in a circle. scripts/layers holds the include lines to these calls.
+# HEADERS are parsed once for the folder; without them, <systemc> is shared by all.
 function(add_part folder)
-  cmake_parse_arguments(PARSE_ARGV 1 part "" "" "LINKS;WITHOUT")
+  cmake_parse_arguments(PARSE_ARGV 1 part "" "" "LINKS;WITHOUT;HEADERS")
   part_target(${folder} target)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   list(TRANSFORM part_WITHOUT PREPEND ${CMAKE_SOURCE_DIR}/${folder}/)
   list(REMOVE_ITEM sources ${CMAKE_SOURCE_DIR}/${folder}/main.cpp ${part_WITHOUT})
   add_library(${target} STATIC ${sources})
   link_parts(${target} PUBLIC ${part_LINKS})
-  share_systemc_header(${target})
+  if(part_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${part_HEADERS})
+  else()
+    share_systemc_header(${target})
+  endif()
 endfunction()
 
 # part_target(<folder> <variable>): the library of a folder
