@@ -3,9 +3,7 @@
 //
 // A signal is named by its path, with or without `chip.` or `beam.`, or by its last name if no
 // other has that; signed ones are signed. Behind `==` or `!=` a state register is compared with its
-// words: `u_subdivider.state_q == bisect`. Operators, as in C: ( ) ! - * / + < <= > >= == != && ||
-// ?: and bit(x, n). The parser is muParser: numbers are doubles, exact up to 53 bits; what is
-// divided by 0 is infinite.
+// words: `u_subdivider.state_q == bisect`. The operators are those of Expression.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
