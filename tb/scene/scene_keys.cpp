@@ -4,8 +4,8 @@
 
 namespace racebeam {
 
-const std::vector<SceneKey>& scene_keys() {
-  static const std::vector<SceneKey> keys = {
+const std::vector<FileKey>& scene_keys() {
+  static const std::vector<FileKey> keys = {
       {"", "name", "text", "the file's name", "shown in reports"},
       {"", "engine", "name", "beam", "the kind of chip that shows it"},
       {"", "frames", "1..16383", "600 after the last shot", "length; the chip shows 60 a second"},
@@ -77,14 +77,14 @@ const std::vector<SceneKey>& scene_keys() {
   return keys;
 }
 
-std::vector<std::string> keys_of(std::string_view table) {
-  std::vector<std::string> keys;
-  for (const SceneKey& row : scene_keys())
-    if (row.table == table) keys.push_back(row.key);
-  return keys;
+std::vector<std::string> keys_of(std::string_view table, const std::vector<FileKey>& keys) {
+  std::vector<std::string> found;
+  for (const FileKey& row : keys)
+    if (row.table == table) found.push_back(row.key);
+  return found;
 }
 
-std::string key_row(const SceneKey& key) {
+std::string key_row(const FileKey& key) {
   const std::string table = *key.table ? std::string(key.table) + "." : "";
   return "| `" + table + key.key + "` | " + key.type + " | " + key.standard + " | " + key.meaning +
          " |";

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/scene_reader.h"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "tb/scene/input_file.h"
 #include "tb/scene/plan_reader.h"
 #include "tb/scene/room_reader.h"
 #include "tb/scene/scene_check.h"
@@ -19,8 +17,6 @@
 namespace racebeam {
 
 namespace {
-
-constexpr std::uintmax_t LargestFile = 16 << 20;
 
 void read_top(const TomlNode& root, SceneFile& scene, Faults& faults) {
   const TableReader top(root, "", faults);
@@ -43,12 +39,6 @@ void check_count(const SceneFile& scene, int faults_before, Faults& faults) {
   if (count > MaxRooms)
     faults.add({1, 1}, "the scene has " + std::to_string(count) + " rooms",
                "at most " + std::to_string(MaxRooms) + " fit the room number");
-}
-
-SceneResult unreadable(const std::string& why, const std::string& help) {
-  SceneResult result;
-  result.faults.add({}, why, help);
-  return result;
 }
 
 }  // namespace
@@ -79,27 +69,11 @@ SceneResult read_scene(std::string_view text, const std::string& name) {
 }
 
 SceneResult read_scene_file(const std::string& path) {
-  const std::filesystem::path file(path);
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    return unreadable("this is a folder", "name a scene file in it");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > LargestFile)
-    return unreadable("the file is larger than 16 MB", "is it a scene?");
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return unreadable(std::string("cannot be read: ") + std::strerror(errno),
-                      "check the name; `racebeam scene new` writes a file to start from");
-  // Devices have no size: no more than a file may have is taken.
-  std::string text(LargestFile + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) return unreadable("cannot be read", "is the disk in order?");
-  if (text.size() > LargestFile)
-    return unreadable("the file is larger than 16 MB", "is it a scene?");
-  SceneResult result = read_scene(text, file.stem().string());
-  result.text = std::move(text);
+  Faults faults;
+  std::optional<std::string> text = read_input_file(path, "scene", faults);
+  if (!text) return {{}, std::move(faults)};
+  SceneResult result = read_scene(*text, std::filesystem::path(path).stem().string());
+  result.text = std::move(*text);
   return result;
 }
 

@@ -7,18 +7,12 @@
 #include <cmath>
 
 #include "tb/base/nearest.h"
-#include "tb/scene/scene_keys.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr std::size_t LongestText = 64;
-
-void wrong_type(const TomlNode& node, const std::string& name, const std::string& wanted,
-                Faults& faults) {
-  faults.add(node.place, "'" + name + "' is " + node.kind_name(), "it must be " + wanted);
-}
 
 // Red, green and blue of "RGB" or [r, g, b]; false if there are not three of 0..3.
 bool take_colour(const TomlNode& node, std::array<std::int64_t, 3>& parts) {
@@ -46,6 +40,11 @@ bool read_colour(const TomlNode& node, const std::string& name, std::uint8_t& to
 }
 
 }  // namespace
+
+void wrong_type(const TomlNode& node, const std::string& name, const std::string& wanted,
+                Faults& faults) {
+  faults.add(node.place, "'" + name + "' is " + node.kind_name(), "it must be " + wanted);
+}
 
 std::string name_help(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t Listed = 12, LongestName = 256;
@@ -96,14 +95,30 @@ bool read_text(const TomlNode& node, const std::string& name, std::string& to, F
   return true;
 }
 
-TableReader::TableReader(const TomlNode& node, const std::string& kind, Faults& faults)
+bool read_word(const TomlNode& node, const std::string& name, const std::vector<std::string>& words,
+               int& to, Faults& faults) {
+  std::string word;
+  if (!read_text(node, name, word, faults)) return false;
+  const auto at = std::find(words.begin(), words.end(), word);
+  if (at == words.end()) {
+    std::string all;
+    for (const std::string& one : words) all += (all.empty() ? "" : ", ") + one;
+    faults.add(node.place, "'" + name + "' is " + quoted(word), "it must be one of " + all);
+    return false;
+  }
+  to = static_cast<int>(at - words.begin());
+  return true;
+}
+
+TableReader::TableReader(const TomlNode& node, const std::string& kind, Faults& faults,
+                         const std::vector<FileKey>& keys)
     : node_(node), kind_(kind), faults_(faults) {
   const std::string name = kind.empty() ? "the file" : "'" + kind + "'";
   if (node.kind != TomlNode::Table) {
     faults.add(node.place, name + " is " + node.kind_name(), "it must be a table of keys");
     return;
   }
-  const std::vector<std::string> known = keys_of(kind);
+  const std::vector<std::string> known = keys_of(kind, keys);
   for (const TomlEntry& entry : node.entries)
     if (std::find(known.begin(), known.end(), entry.key) == known.end())
       faults.add(entry.place, "unknown key " + quoted(entry.key) + " in " + name,
@@ -161,17 +176,8 @@ bool TableReader::read(const std::string& key, int low, int high, Vector& to) co
 
 bool TableReader::read_choice(const std::string& key, const std::vector<std::string>& words,
                               int& to) const {
-  std::string word;
-  if (!read(key, word)) return false;
-  const auto at = std::find(words.begin(), words.end(), word);
-  if (at == words.end()) {
-    std::string all;
-    for (const std::string& one : words) all += (all.empty() ? "" : ", ") + one;
-    faults_.add(find(key)->place, "'" + key + "' is " + quoted(word), "it must be one of " + all);
-    return false;
-  }
-  to = static_cast<int>(at - words.begin());
-  return true;
+  const TomlNode* node = find(key);
+  return node && read_word(*node, key, words, to, faults_);
 }
 
 bool TableReader::read(const std::string& key, Palette& to) const {

@@ -1,4 +1,4 @@
-// TableReader: takes checked values out of one table of a scene file.
+// TableReader: takes checked values out of one table of a scene file, or of another TOML file.
 //
 // Each read function leaves `to` alone and returns false if the key is missing or its value is a
 // fault, which is added to the faults.
@@ -10,14 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "tb/scene/scene_keys.h"
 #include "tb/scene/toml_tree.h"
 
 namespace racebeam {
 
 class TableReader {
  public:
-  /// `kind` names the table in scene_keys(); other keys are faults. So is a node that is no table.
-  TableReader(const TomlNode& node, const std::string& kind, Faults& faults);
+  /// `kind` names the table in `keys`; other keys are faults. So is a node that is no table.
+  TableReader(const TomlNode& node, const std::string& kind, Faults& faults,
+              const std::vector<FileKey>& keys = scene_keys());
 
   /// The value of a key, or null.
   const TomlNode* find(const std::string& key) const { return node_.find(key); }
@@ -49,8 +51,14 @@ class TableReader {
 /// range in the help.
 bool read_number(const TomlNode& node, const std::string& name, int low, int high, int& to,
                  Faults& faults, const std::string& why = "");
+/// The index of a word in `words`, or a fault.
+bool read_word(const TomlNode& node, const std::string& name, const std::vector<std::string>& words,
+               int& to, Faults& faults);
 /// A short text, or a fault.
 bool read_text(const TomlNode& node, const std::string& name, std::string& to, Faults& faults);
+/// A fault: it is of another type than the one that is wanted.
+void wrong_type(const TomlNode& node, const std::string& name, const std::string& wanted,
+                Faults& faults);
 /// "did you mean 'x'?" or the names that there are.
 std::string name_help(const std::string& name, const std::vector<std::string>& known);
 

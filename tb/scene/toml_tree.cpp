@@ -28,7 +28,7 @@ namespace {
 constexpr int Deepest = 16;    // levels of tables and arrays
 constexpr int DottedKeys = 8;  // dots in one key
 
-constexpr const char* DepthHelp = "a scene needs no more than four levels";
+constexpr const char* DepthHelp = "four levels are enough";
 
 Place place_of(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};

@@ -109,7 +109,7 @@ TEST(Docs, EveryFigureIsShown) {
 
 TEST(Docs, ListsEveryKeyOfSceneFiles) {
   const std::string text = page("docs/scenes.md");
-  for (const SceneKey& key : scene_keys()) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
+  for (const FileKey& key : scene_keys()) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
 }
 
 TEST(Docs, ListsEveryPictureFormat) {

@@ -97,7 +97,7 @@ TEST(SceneFileTest, TheScenesOfTheProjectAreGood) {
 
 TEST(SceneFileTest, EveryKeyIsDocumentedOnceAndRead) {
   std::set<std::string> rows;
-  for (const SceneKey& key : scene_keys()) {
+  for (const FileKey& key : scene_keys()) {
     EXPECT_TRUE(rows.insert(std::string(key.table) + "." + key.key).second) << key.key;
     EXPECT_NE(*key.meaning, 0) << key.key;
   }
