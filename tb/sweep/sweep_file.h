@@ -1,0 +1,80 @@
+// SweepFile: a sweep as its author wrote it: which points, which frames, which goals.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tb/scene/faults.h"
+#include "tb/sweep/goal.h"
+#include "tb/sweep/sweep_point.h"
+
+namespace racebeam {
+
+/// The values of a knob that a search takes, each once, in the order of the file.
+struct KnobValues {
+  const knob_info* row;
+  std::vector<int> values;
+};
+
+struct SweepFrames {
+  int sample = 256;                                ///< of each point; 0: every frame
+  std::vector<std::string> skip{"*ray pattern*"};  ///< parts left out: patterns as in a shell
+  int guard = 64;                                  ///< the base point's worst frames
+  /// Figures and how narrow their intervals shall be, in % of the mean.
+  std::vector<std::pair<std::string, double>> until{};
+  int most = 2048;  ///< frames of a point, however wide its intervals; at least sample
+
+  /// Whether a part of a show is left out.
+  bool skips(const std::string& part) const;
+};
+
+enum class SearchMethod { Grid, OneByOne, Sobol };
+
+struct SweepSearch {
+  SearchMethod method = SearchMethod::Grid;
+  int points = 64;         ///< that Sobol's sequence brings
+  std::uint32_t seed = 1;  ///< of the sequence, and of the order of frames
+  bool race = true;        ///< points that are surely dominated stop early
+};
+
+enum class SweepReference { Geometry, Trace4, Base };
+
+struct SweepMeasure {
+  bool causes = false;          ///< errors by cause
+  bool silicon = false;         ///< generic cells and flip-flops
+  std::vector<int> pictures{};  ///< frames that are kept as pictures
+  bool worst_picture = false;   ///< and the worst one
+  SweepReference reference = SweepReference::Geometry;
+};
+
+struct SweepFile {
+  static constexpr int MostPoints = 100'000;
+
+  std::string name;
+  std::vector<std::string> scenes{"demo"};  ///< as on the command line
+  SweepFrames frames{};
+  std::vector<KnobValues> knobs{};
+  std::string where{};  ///< what the knobs of a search must hold, or empty
+  Place where_place{}, knobs_place{};
+  SweepPoint base{"chip", {}};
+  std::vector<SweepPoint> points{};  ///< named ones; what they do not set is as in base
+  SweepSearch search{};
+  std::vector<Goal> goals{};
+  SweepMeasure measure{};
+};
+
+/// What the file writes for the members of an enum, in their order.
+const std::vector<std::string>& method_words();
+const std::vector<std::string>& goal_words();  ///< from GoalKind::Min on
+const std::vector<std::string>& reference_words();
+
+/// `--set knob=value`: a search takes no other value of this knob, whatever the file says of it.
+/// The base and the named points stay. Throws UsageError.
+void narrow(SweepFile& file, const std::string& assignment);
+
+}  // namespace racebeam

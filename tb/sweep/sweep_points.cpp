@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/sweep_points.h"
+
+#include <boost/random/sobol.hpp>
+#include <map>
+#include <optional>
+#include <random>
+
+#include "tb/sweep/knob_condition.h"
+
+namespace racebeam {
+
+namespace {
+
+class PointMaker {
+ public:
+  PointMaker(const SweepFile& file, const std::vector<knobs>& standards)
+      : file_(file), standards_(standards) {
+    if (!file.where.empty()) where_.emplace(file.where);
+    add(file.base);
+    for (const SweepPoint& point : file.points) add(point);
+  }
+
+  SweepPoints make() {
+    switch (file_.search.method) {
+      case SearchMethod::Grid: ask_grid(); break;
+      case SearchMethod::OneByOne: ask_one_by_one(); break;
+      case SearchMethod::Sobol: ask_sobol(); break;
+    }
+    return std::move(made_);
+  }
+
+ private:
+  struct Known {
+    std::string name;
+    bool asked = false;
+  };
+
+  // All values on all scenes.
+  std::vector<int> key_of(const SweepPoint& point) const {
+    std::vector<int> key;
+    for (const knobs& standard : standards_) {
+      const knobs k = knobs_on(point, standard);
+      for (const knob_info& row : knob_table()) key.push_back(k.*row.member);
+    }
+    return key;
+  }
+
+  void keep(SweepPoint point) {
+    point.k.max_room_depth = point.k.room_depth_limit();
+    made_.points.push_back(std::move(point));
+  }
+
+  void add(const SweepPoint& point) {
+    const auto [at, is_new] = known_.emplace(key_of(point), Known{point.name});
+    if (is_new) keep(point);
+    else made_.same.emplace_back(point.name, at->second.name);
+  }
+
+  // Whether the point is one that the search has not asked for.
+  bool ask(SweepPoint point) {
+    if (where_ && !where_->holds(point.k)) {
+      ++made_.refused;
+      return false;
+    }
+    const auto [at, is_new] = known_.emplace(key_of(point), Known{});
+    if (at->second.asked) {
+      ++made_.again;
+      return false;
+    }
+    at->second.asked = true;
+    ++made_.of_search;
+    if (!is_new) return true;
+    point.name = at->second.name = "p" + std::to_string(made_.of_search);
+    keep(std::move(point));
+    return true;
+  }
+
+  // The base with the value of this index of each knob.
+  SweepPoint at(const std::vector<std::size_t>& indices) const {
+    SweepPoint point = file_.base;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      point.set_knob(*file_.knobs[i].row, file_.knobs[i].values[indices[i]]);
+    return point;
+  }
+
+  void ask_grid() {
+    std::vector<std::size_t> indices(file_.knobs.size());
+    for (;;) {
+      ask(at(indices));
+      std::size_t knob = indices.size();
+      while (knob > 0 && ++indices[knob - 1] == file_.knobs[knob - 1].values.size())
+        indices[--knob] = 0;
+      if (knob == 0) return;
+    }
+  }
+
+  void ask_one_by_one() {
+    for (const KnobValues& knob : file_.knobs)
+      for (const int value : knob.values) {
+        SweepPoint point = file_.base;
+        point.set_knob(*knob.row, value);
+        ask(std::move(point));
+      }
+  }
+
+  void ask_sobol() {
+    constexpr int Patience = 10'000;
+    const std::size_t count = file_.knobs.size();
+    if (count == 0) return;
+    boost::random::sobol sequence(count);
+    std::mt19937_64 shift(file_.search.seed);
+    std::vector<std::uint64_t> shifts(count), vector(count);  // the sequence begins at 0, ...
+    for (std::uint64_t& one : shifts) one = shift();
+    std::vector<std::size_t> indices(count);
+    for (int without = 0; without < Patience && made_.of_search < file_.search.points; ++without) {
+      for (std::size_t i = 0; i < count; ++i)
+        indices[i] = ((vector[i] ^ shifts[i]) >> 32) * file_.knobs[i].values.size() >> 32;
+      if (ask(at(indices))) without = 0;
+      for (std::uint64_t& one : vector) one = sequence();  // ... which boost leaves out
+    }
+  }
+
+  const SweepFile& file_;
+  const std::vector<knobs>& standards_;
+  std::optional<KnobCondition> where_;
+  std::map<std::vector<int>, Known> known_;
+  SweepPoints made_{};
+};
+
+}  // namespace
+
+double grid_points(const SweepFile& file) {
+  double count = 1;
+  for (const KnobValues& knob : file.knobs) count *= static_cast<double>(knob.values.size());
+  return count;
+}
+
+SweepPoints sweep_points(const SweepFile& file, const std::vector<knobs>& standards) {
+  return PointMaker(file, standards).make();
+}
+
+}  // namespace racebeam

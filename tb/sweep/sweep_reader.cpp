@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/sweep_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "tb/base/counted.h"
+#include "tb/base/errors.h"
+#include "tb/scene/input_file.h"
+#include "tb/scene/table_reader.h"
+#include "tb/sweep/frames_reader.h"
+#include "tb/sweep/knob_reader.h"
+#include "tb/sweep/point_reader.h"
+#include "tb/sweep/sweep_keys.h"
+#include "tb/sweep/sweep_points.h"
+
+namespace racebeam {
+
+namespace {
+
+void read_scenes(const TomlNode& node, const SweepNames& names, std::vector<std::string>& to,
+                 Faults& faults) {
+  if (node.kind != TomlNode::Array || node.items.empty()) {
+    wrong_type(node, "scenes", "a list of names, [\"demo\"]", faults);
+    return;
+  }
+  to.clear();
+  for (const TomlNode& item : node.items) {
+    if (item.kind != TomlNode::String) wrong_type(item, "scenes", "a list of names", faults);
+    else if (std::find(to.begin(), to.end(), item.text) != to.end())
+      faults.add(item.place, "scene " + racebeam::quoted(item.text) + " is there twice",
+                 "leave one out");
+    else if (!names.is_scene(item.text))
+      faults.add(item.place, "unknown scene " + racebeam::quoted(item.text),
+                 name_help(item.text, names.scenes));
+    else to.push_back(item.text);
+  }
+}
+
+void read_search(const TomlNode& node, SweepSearch& search, Faults& faults) {
+  const TableReader table(node, "search", faults, sweep_keys());
+  int number = 0;
+  if (table.read_choice("method", method_words(), number))
+    search.method = static_cast<SearchMethod>(number);
+  table.read("points", 1, SweepFile::MostPoints, search.points);
+  if (table.read("seed", 0, std::numeric_limits<int>::max(), number))
+    search.seed = static_cast<std::uint32_t>(number);
+  table.read("race", search.race);
+  if (const TomlNode* points = table.find("points"); points && search.method != SearchMethod::Sobol)
+    faults.warn(points->place, "'points' counts for sobol only",
+                "the other methods take the points that the knobs make");
+}
+
+void read_pictures(const TomlNode& node, SweepMeasure& measure, Faults& faults) {
+  if (node.kind != TomlNode::Array) {
+    wrong_type(node, "pictures", "a list of frames, [512, \"worst\"]", faults);
+    return;
+  }
+  for (const TomlNode& item : node.items) {
+    int number = 0;
+    if (item.kind == TomlNode::String)
+      measure.worst_picture |= read_word(item, "pictures", {"worst"}, number, faults);
+    else if (read_number(item, "pictures", 0, MaxFrames - 1, number, faults,
+                         "a frame, or \"worst\""))
+      measure.pictures.push_back(number);
+  }
+}
+
+void read_measure(const TomlNode& node, SweepMeasure& measure, Faults& faults) {
+  const TableReader table(node, "measure", faults, sweep_keys());
+  int number = 0;
+  table.read("causes", measure.causes);
+  if (table.read_choice("silicon", {"off", "generic"}, number)) measure.silicon = number == 1;
+  table.read_choice("timing", {"off"}, number);
+  if (const TomlNode* pictures = table.find("pictures")) read_pictures(*pictures, measure, faults);
+  if (table.read_choice("reference", reference_words(), number))
+    measure.reference = static_cast<SweepReference>(number);
+}
+
+// Of a file without faults.
+void check_points(const SweepFile& file, Faults& faults) {
+  const double grid = grid_points(file);
+  if (file.search.method == SearchMethod::Grid && grid > SweepFile::MostPoints) {
+    faults.add(
+        file.knobs_place, fmt::format("the grid has {:.0f} points", grid),
+        fmt::format("it may have {}; [search] method = \"sobol\" spreads as many as you want "
+                    "over all knobs",
+                    int{SweepFile::MostPoints}));
+    return;
+  }
+  if (!file.where.empty() && sweep_points(file).of_search == 0)
+    faults.add(file.where_place, "'where' leaves no point", "allow more, or name other values");
+}
+
+}  // namespace
+
+SweepResult read_sweep(std::string_view text, const std::string& name, const SweepNames& names,
+                       const std::vector<std::string>& narrowed) {
+  SweepResult result;
+  SweepFile& file = result.file;
+  Faults& faults = result.faults;
+  file.name = name;
+  const std::optional<TomlNode> root = parse_toml(text, faults);
+  if (!root) return result;
+  const TableReader top(*root, "", faults, sweep_keys());
+  top.read("name", file.name);
+  if (const TomlNode* node = top.find("scenes")) read_scenes(*node, names, file.scenes, faults);
+  if (const TomlNode* node = top.find("frames"))
+    read_frames(*node, names.figures, file.frames, faults);
+  if (const TomlNode* node = top.find("knobs")) read_swept_knobs(*node, file, faults);
+  read_points(top.find("base"), top.find("point"), file, faults);
+  if (const TomlNode* node = top.find("search")) read_search(*node, file.search, faults);
+  if (const TomlNode* node = top.find("measure")) read_measure(*node, file.measure, faults);
+  if (const TomlNode* node = top.find("goals"))
+    file.goals = read_goals(*node, names.figures, file.measure, faults);
+  if (!faults.none()) return result;
+  for (const std::string& assignment : narrowed) narrow(file, assignment);
+  check_points(file, faults);
+  return result;
+}
+
+SweepResult read_sweep_file(const std::string& path, const SweepNames& names,
+                            const std::vector<std::string>& narrowed) {
+  Faults faults;
+  std::optional<std::string> text = read_input_file(path, "sweep", faults);
+  if (!text) return {{}, std::move(faults)};
+  SweepResult result =
+      read_sweep(*text, std::filesystem::path(path).stem().string(), names, narrowed);
+  result.text = std::move(*text);
+  return result;
+}
+
+SweepResult load_sweep(const std::string& path, const SweepNames& names,
+                       const std::vector<std::string>& narrowed) {
+  SweepResult result = read_sweep_file(path, names, narrowed);
+  std::fputs((result.faults.text(path) + result.faults.warnings(path)).c_str(), stderr);
+  if (!result.faults.none())
+    throw UsageError(counted(result.faults.count(), "fault") + " in " + path);
+  return result;
+}
+
+}  // namespace racebeam
