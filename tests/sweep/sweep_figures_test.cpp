@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "tb/base/errors.h"
+#include "tb/sweep/figures.h"
+
+namespace racebeam {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A frame by names of columns.
+struct Rows {
+  std::vector<std::string> columns;
+  FrameRow row;
+
+  explicit Rows(const std::map<std::string, std::int64_t>& values) {
+    for (const auto& [name, value] : values) {
+      columns.push_back(name);
+      row.values.push_back(value);
+    }
+  }
+};
+
+double value_of(const char* figure, const std::map<std::string, std::int64_t>& values) {
+  const Rows rows(values);
+  return FigureReader(*figure_named(figure), rows.columns).value(rows.row);
+}
+
+TEST(FiguresTest, NamesAreUniqueAndExplained) {
+  std::set<std::string> names;
+  for (const Figure& figure : figure_table()) {
+    EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
+    EXPECT_STRNE(figure.unit, "") << figure.name;
+    EXPECT_STRNE(figure.meaning, "") << figure.name;
+    EXPECT_EQ(figure.terms.empty(), figure.kind == Figure::Exact) << figure.name;
+    EXPECT_EQ(figure_named(figure.name), &figure);
+  }
+  EXPECT_EQ(figure_named("errors"), nullptr);
+}
+
+TEST(FiguresTest, PixelsAreSharesOfThePicture) {
+  EXPECT_DOUBLE_EQ(value_of("picture_error", {{"error_pixels", 3'072}}), 1);
+  EXPECT_DOUBLE_EQ(value_of("error.visible", {{"visible_error_pixels", 307'200}}), 100);
+  EXPECT_DOUBLE_EQ(value_of("starved", {{"seen_starved_pixels", 1'536}}), 0.5);
+}
+
+TEST(FiguresTest, WorkIsALine) {
+  EXPECT_DOUBLE_EQ(value_of("decisions", {{"decisions", 480 * 7}}), 7);
+  EXPECT_DOUBLE_EQ(value_of("bisections", {{"bisection_steps", 240}}), 0.5);
+  EXPECT_DOUBLE_EQ(value_of("restarts", {{"restarts", 48}}), 0.1);
+  EXPECT_DOUBLE_EQ(value_of("give_ups", {{"give_ups", 960}}), 2);
+  EXPECT_DOUBLE_EQ(value_of("returns", {{"returns", 4'800}}), 10);
+  EXPECT_DOUBLE_EQ(value_of("emits", {{"emits", 4'800}}), 10);
+  EXPECT_DOUBLE_EQ(value_of("busy", {{"busy_clocks.sum", 127'979}}), 127'979 / 480.0);
+  EXPECT_DOUBLE_EQ(value_of("fifo.full_stalls", {{"fifo_full_stalls", 4'800}}), 10);
+}
+
+TEST(FiguresTest, LinesAndClocksAreAsTheyAre) {
+  EXPECT_DOUBLE_EQ(value_of("busy.max", {{"busy_clocks.max", 840}}), 840);
+  EXPECT_DOUBLE_EQ(value_of("busy.p99", {{"busy_clocks.p99", 833}}), 833);
+  EXPECT_DOUBLE_EQ(value_of("lines_not_done", {{"done_clock.never", 3}}), 3);
+}
+
+// 160 pixels before the first visible one: 320 clocks on the chip, 160 with one clock a pixel.
+TEST(FiguresTest, FirstEmitIsWhatIsLeftOfTheHeadStart) {
+  const auto first_emit = [](int clocks, int sum, int never) {
+    return value_of(
+        "first_emit",
+        {{"clocks", clocks}, {"first_emit_clock.sum", sum}, {"first_emit_clock.never", never}});
+  };
+  EXPECT_DOUBLE_EQ(first_emit(840'000, 480 * 100, 0), 220);
+  EXPECT_DOUBLE_EQ(first_emit(420'000, 480 * 100, 0), 60);
+  EXPECT_DOUBLE_EQ(first_emit(840'000, 480 * 400, 0), -80);  // behind the beam
+  EXPECT_DOUBLE_EQ(first_emit(840'000, 240 * 100, 240), (220 + 320 - 1'600) / 2.0);
+}
+
+TEST(FiguresTest, ColumnsAreFoundByName) {
+  EXPECT_DOUBLE_EQ(value_of("restarts", {{"clocks", 1}, {"restarts", 480}, {"zebra", 3}}), 1);
+}
+
+TEST(FiguresTest, MissingColumnIsNamed) {
+  const Figure& figure = *figure_named("first_emit");
+  EXPECT_EQ(figure.missing({"clocks", "first_emit_clock.never", "first_emit_clock.sum"}), nullptr);
+  EXPECT_STREQ(figure.missing({"clocks", "first_emit_clock.never"}), "first_emit_clock.sum");
+  try {
+    FigureReader(figure, {"clocks"});
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("first_emit_clock.sum"));
+  }
+}
+
+TEST(FiguresTest, ExactFiguresAreNotOfFrames) {
+  EXPECT_THROW(FigureReader(*figure_named("cells"), {"cells"}), UsageError);
+  EXPECT_FALSE(figure_named("flip_flops")->sampled());
+  EXPECT_FALSE(figure_named("busy.max")->sampled());
+  EXPECT_TRUE(figure_named("picture_error")->sampled());
+}
+
+std::vector<FrameRow> rows_of_frames() {
+  return {{70, false, 0, {480}}, {7, true, 0, {480'000}}, {3, false, 0, {960}}};
+}
+
+TEST(FiguresTest, SampleIsSortedByFrameWithoutGuards) {
+  const Stratum stratum =
+      FigureReader(*figure_named("decisions"), {"decisions"}).stratum(rows_of_frames(), 100);
+  EXPECT_THAT(stratum.frames, ElementsAre(3, 70));
+  EXPECT_THAT(stratum.values, ElementsAre(2, 1));
+  EXPECT_EQ(stratum.population, 100);
+}
+
+TEST(FiguresTest, WorstLooksAtGuardsToo) {
+  const FigureReader reader(*figure_named("busy.max"), {"busy_clocks.max"});
+  const Worst worst = worst_of({reader.stratum(rows_of_frames(), 100)});
+  EXPECT_EQ(worst.value, 480'000);
+  EXPECT_EQ(worst.frame, 7);
+  EXPECT_EQ(worst.frames, 3);
+}
+
+}  // namespace
+}  // namespace racebeam
