@@ -170,6 +170,17 @@ TEST(FrontTest, WorstCaseSeenIsEnoughToBeBeyondALimit) {
   expect(judged(goals, {{sampled({1'400, 1'434}, 9, Reading::Largest)}})[0], Verdict::Front);
 }
 
+TEST(FrontTest, WorstCaseSeenIsNotSurelyWithinALimit) {
+  const std::vector<Goal> goals = {{"cells", GoalKind::Min},
+                                   {"busy.max", GoalKind::Limit, {}, 1'500}};
+  const auto judged_of = [&](int population) {
+    return judged(goals, {{exact(6), sampled({1'400, 1'410}, population, Reading::Largest)},
+                          {exact(7), sampled({1'300, 1'310}, population, Reading::Largest)}});
+  };
+  expect(judged_of(9)[1], Verdict::Undecided);
+  expect(judged_of(2)[1], Verdict::Dominated, 0);
+}
+
 TEST(FrontTest, PointsWithoutCommonFramesAreNotCompared) {
   Reading other = about(9);
   for (int& frame : other.frames[0].frames) frame += 500;
