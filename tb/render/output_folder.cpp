@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/render/output_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <regex>
 #include <system_error>
 
@@ -30,8 +25,14 @@ constexpr const char* Otherwise = "; name another folder with -o, or replace it:
 }  // namespace
 
 OutputFolder::OutputFolder(const std::string& path, const Manifest& what, bool overwrite)
-    : path_(path), what_(what), overwrite_(overwrite), made_(make_folder(path)) {
-  take();
+    : path_(path),
+      what_(what),
+      overwrite_(overwrite),
+      made_(make_folder(path)),
+      lock_(path_.string()) {
+  if (!lock_.take())
+    throw UsageError("another render writes to " + path_.string() +
+                     "; wait until it ends, or name another folder with -o");
   std::error_code ignored;
   if (overwrite) return;
   if (!fs::exists(path_ / ManifestName, ignored)) {
@@ -49,17 +50,6 @@ OutputFolder::~OutputFolder() {
   std::error_code ignored;
   if (!started_)
     for (const std::string& level : made_) fs::remove(level, ignored);
-  if (lock_ >= 0) close(lock_);
-}
-
-// The lock goes with the last process that has it open, however that ends. A file system without
-// locks has none: then nothing is said.
-void OutputFolder::take() {
-  lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  close(lock_);
-  throw UsageError("another render writes to " + path_.string() +
-                   "; wait until it ends, or name another folder with -o");
 }
 
 void OutputFolder::check(const Manifest& what) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/base/file_lock.h"
 #include "tb/report/manifest.h"
 
 namespace racebeam {
@@ -43,7 +44,6 @@ class OutputFolder {
   static bool owns(const std::string& name);
 
  private:
-  void take();
   void check(const Manifest& what) const;
 
   const std::filesystem::path path_;
@@ -51,7 +51,7 @@ class OutputFolder {
   const bool overwrite_;
   std::vector<std::string> made_;  // innermost first
   std::string before_;             // manifest of earlier runs that stays; or empty
-  int lock_ = -1;
+  FileLock lock_;
   bool started_ = false;
 };
 

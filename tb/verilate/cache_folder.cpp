@@ -20,6 +20,7 @@
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
+#include "tb/base/file_lock.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/whole_file.h"
 
@@ -81,29 +82,16 @@ std::string find_folder() {
   return temporary;
 }
 
-/// A lock on a file, held by one process, and free when it dies.
-class FileLock {
- public:
-  explicit FileLock(const std::string& path)
-      : file_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    if (file_ < 0) throw RtlError("cannot write " + path + ": " + std::strerror(errno));
+/// Takes a lock of the cache, however long that takes.
+void wait_for(FileLock& lock) {
+  if (lock.error())
+    throw RtlError("cannot write to " + cache_folder() + ": " + std::strerror(lock.error()));
+  catch_interrupts();
+  while (!lock.take()) {
+    if (interrupted()) throw Interrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
   }
-  ~FileLock() { close(file_); }
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-
-  bool try_once() const { return flock(file_, LOCK_EX | LOCK_NB) == 0; }
-  void wait() const {
-    catch_interrupts();
-    while (!try_once()) {
-      if (interrupted()) throw Interrupted();
-      std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    }
-  }
-
- private:
-  int file_;
-};
+}
 
 /// Locks of plug-ins are others than those of the objects that are made for them.
 std::string lock_of(const std::string& name) {
@@ -196,8 +184,8 @@ std::string put_in_cache(const std::string& file, const std::string& name) {
 
 std::string cached(const std::string& name, const std::function<void(const std::string&)>& make) {
   if (const std::string path = in_cache(name); !path.empty()) return path;
-  const FileLock lock(lock_of(name));
-  lock.wait();
+  FileLock lock(lock_of(name));
+  wait_for(lock);
   if (const std::string path = in_cache(name); !path.empty()) return path;
   const WorkFolder work;
   make(work.file(name));
@@ -205,8 +193,8 @@ std::string cached(const std::string& name, const std::function<void(const std::
 }
 
 WorkFolder::WorkFolder() {
-  const FileLock lock(cache_folder() + "/lock.work");  // a new folder is not taken for a left one
-  lock.wait();
+  FileLock lock(cache_folder() + "/lock.work");  // a new folder is not taken for a left one
+  wait_for(lock);
   remove_left();
   path_ = cache_folder() + "/work.XXXXXX";
   if (!mkdtemp(path_.data()))
