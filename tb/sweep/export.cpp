@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tb/sweep/row_digest.h"
+
+namespace racebeam {
+
+namespace {
+
+void write(OutputFile& out, const std::string& text) { out.write(text.data(), text.size()); }
+
+/// The names of all settings, each once, in the order in which they come.
+std::vector<std::string> setting_names(const std::vector<StoredPoint>& points) {
+  std::vector<std::string> names;
+  for (const StoredPoint& point : points)
+    for (const auto& [name, value] : setting_of(point.setting))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+std::string setting_cells(const StoredPoint& point, const std::vector<std::string>& names) {
+  const auto values = setting_of(point.setting);
+  std::string cells;
+  for (const std::string& wanted : names) {
+    cells += ',';
+    for (const auto& [name, value] : values)
+      if (name == wanted) cells += csv_cell(value);
+  }
+  return cells;
+}
+
+const StoredPoint& with_id(const std::vector<StoredPoint>& points, std::int64_t id) {
+  return *std::find_if(points.begin(), points.end(),
+                       [id](const StoredPoint& point) { return point.id == id; });
+}
+
+std::string name_of(const StoredPoint& point) {
+  return point.name.empty() ? text_hash(point.setting) : point.name;
+}
+
+}  // namespace
+
+void export_points(Store& store, std::int64_t model, OutputFile& out) {
+  const std::vector<std::string>& columns = store.frames.columns(model);
+  const std::vector<StoredPoint> points = store.points();
+  const std::vector<std::string> settings = setting_names(points);
+  std::string head = "point,scene", means;
+  for (const std::string& name : settings) head += ',' + csv_cell(name);
+  head += ",sample_frames,guard_frames";
+  for (const std::string& name : columns) {
+    if (name == PictureColumn) continue;
+    head += ',' + csv_cell(name);
+    means += fmt::format(", avg(f.{}) FILTER (WHERE f.kind = 'sample')", quoted(name));
+  }
+  write(out, head + ",failure\n");
+  Statement select(
+      store.database(),
+      "SELECT k.point, s.name, count(*) FILTER (WHERE f.kind = 'sample'), "
+      "count(*) FILTER (WHERE f.kind = 'guard'), coalesce(x.reason, '')" +
+          means +
+          " FROM (SELECT DISTINCT model, scene, point FROM frame WHERE model = ?1 "
+          "UNION SELECT model, scene, point FROM failure WHERE model = ?1) k "
+          "JOIN scene s ON s.id = k.scene "
+          "LEFT JOIN frame f ON f.model = k.model AND f.scene = k.scene AND f.point = k.point "
+          "LEFT JOIN failure x ON x.model = k.model AND x.scene = k.scene AND x.point = k.point "
+          "GROUP BY k.scene, k.point ORDER BY k.scene, k.point");
+  for (select.with(model); select.next();) {
+    const StoredPoint& point = with_id(points, select.integer(0));
+    std::string row = csv_cell(name_of(point)) + ',' + csv_cell(select.text(1)) +
+                      setting_cells(point, settings) +
+                      fmt::format(",{},{}", select.integer(2), select.integer(3));
+    for (int i = 5; i < select.columns(); ++i)
+      row += select.kind(i) == Statement::Null ? "," : fmt::format(",{}", select.real(i));
+    write(out, row + ',' + csv_cell(select.text(4)) + '\n');
+  }
+}
+
+void export_frames(Store& store, std::int64_t model, OutputFile& out) {
+  const std::vector<std::string>& columns = store.frames.columns(model);
+  std::string head = "point,scene,frame,kind,digest";
+  for (const std::string& name : columns) head += ',' + csv_cell(name);
+  write(out, head + '\n');
+  const std::vector<StoredPoint> points = store.points();
+  for (const StoredScene& scene : store.scenes())
+    for (const StoredPoint& point : points) {
+      const std::string whose = csv_cell(name_of(point)) + ',' + csv_cell(scene.name);
+      for (const FrameRow& row : store.frames.read({model, scene.id, point.id})) {
+        std::string text = fmt::format("{},{},{},{:016x}", whose, row.frame,
+                                       row.guard ? "guard" : "sample", row.digest);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+          text += columns[i] == PictureColumn
+                      ? fmt::format(",{:016x}", static_cast<std::uint64_t>(row.values[i]))
+                      : fmt::format(",{}", row.values[i]);
+        write(out, text + '\n');
+      }
+    }
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + '"';
+}
+
+}  // namespace racebeam

@@ -1,0 +1,47 @@
+// What a store keeps so that it is not made twice: the silicon of units, and reference pictures.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tb/sweep/database.h"
+
+namespace racebeam {
+
+/// What synthesis says of a unit; its key is `hash`: of sources, parameters, recipe and yosys.
+struct UnitSilicon {
+  std::string hash, unit, parameters, recipe;
+  std::int64_t flip_flops = 0, cells = 0;
+  std::optional<double> area;  ///< if the recipe has one
+};
+
+class UnitCache {
+ public:
+  explicit UnitCache(Database& database) : database_(database) {}
+  std::optional<UnitSilicon> find(const std::string& hash) const;
+  /// One that is there stays.
+  void put(const UnitSilicon& unit);
+
+ private:
+  Database& database_;
+};
+
+/// Pictures as bytes, kept small. The key: of scene, frame, look and tracer.
+class ReferenceCache {
+ public:
+  explicit ReferenceCache(Database& database) : database_(database) {}
+  /// Throws DamagedStore of one that cannot be read.
+  std::optional<std::string> find(const std::string& hash) const;
+  /// One that is there stays.
+  void put(const std::string& hash, std::string_view picture);
+
+ private:
+  Database& database_;
+};
+
+}  // namespace racebeam
