@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "tb/scene/engines.h"
+#include "tb/sweep/model_hash.h"
 #include "tb/sweep/store_errors.h"
 #include "tests/sweep/sweep_store.h"
 
@@ -166,6 +168,14 @@ TEST_F(StoreTest, ColumnsThatSqlWouldTakeForOthersAreRefused) {
         << name;
   EXPECT_THROW(store.model({"other", "", "", "", ""}, {"x", "X"}), std::invalid_argument);
   EXPECT_EQ(store.models().size(), 1u);
+}
+
+TEST(ModelHash, EveryEngineHasOne) {
+  for (const engine* each : engines()) {
+    EXPECT_THAT(model_hash(each->name), testing::MatchesRegex("[0-9a-f]*"));
+    EXPECT_EQ(model_hash(each->name).size(), 32u);
+  }
+  EXPECT_THROW(model_hash("none"), std::invalid_argument);
 }
 
 TEST_F(StoreTest, CachesGiveBackWhatTheyGot) {
