@@ -10,11 +10,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <list>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,7 +28,10 @@ namespace racebeam {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int TickMilliseconds = 80;
+constexpr auto NoLimit = std::chrono::hours(24 * 365);
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
   std::vector<char*> all;
@@ -84,6 +89,10 @@ pid_t start(const ToolRun& run, int output) {
   prctl(PR_SET_NAME, "racebeam-tool");
   signal(SIGTERM, end_group);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  // Locks and pipes of the program: a tool that is slow to die holds none of them.
+  const auto kept = static_cast<unsigned>(output);
+  close_range(STDERR_FILENO + 1, kept - 1, 0);
+  close_range(kept + 1, ~0U, 0);
   pid_t tool = 0;
   if (const int error = spawn(run, output, tool)) {
     dprintf(output, "%s cannot be started: %s\n", run.words[0].c_str(), std::strerror(error));
@@ -95,52 +104,103 @@ pid_t start(const ToolRun& run, int output) {
   _exit(status == 0 ? 0 : 1);
 }
 
-/// A pipe that children get only as their output.
-class Pipe {
+/// A tool that runs. It is ended when this goes, with all that it has started.
+class RunningTool {
  public:
-  Pipe() {
-    if (pipe2(ends_, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a child process");
+  RunningTool(const ToolRun& run, std::size_t number, std::chrono::milliseconds limit)
+      : number_(number), tick_(run.tick) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a child process");
+    output_ = ends[0];
+    try {
+      child_ = start(run, ends[1]);
+    } catch (...) {
+      close(ends[0]);
+      close(ends[1]);
+      throw;
+    }
+    close(ends[1]);
+    deadline_ = Clock::now() + limit;
   }
-  ~Pipe() {
-    close_writer();
-    close(ends_[0]);
+  ~RunningTool() {
+    if (child_ > 0) end();
+    close(output_);
   }
-  int reader() const { return ends_[0]; }
-  int writer() const { return ends_[1]; }
-  void close_writer() {
-    if (ends_[1] >= 0) close(ends_[1]);
-    ends_[1] = -1;
+  RunningTool(const RunningTool&) = delete;
+  RunningTool& operator=(const RunningTool&) = delete;
+
+  std::size_t number() const { return number_; }
+  void tick() const {
+    if (tick_) tick_();
+  }
+  /// Becomes readable when it says something, or ends.
+  int output() const { return output_; }
+  /// Takes what it has said, if `readable`. Its result once it has ended, or has to.
+  const ToolResult* look(bool readable) {
+    if (readable && !read()) {
+      result_.good = wait_for_child(child_) == 0;
+      child_ = 0;
+      return &result_;
+    }
+    if (Clock::now() < deadline_) return nullptr;
+    end();
+    result_.late = true;
+    return &result_;
   }
 
  private:
-  int ends_[2];
+  bool read() {
+    char buffer[4096];
+    const ssize_t got = ::read(output_, buffer, sizeof buffer);
+    if (got > 0) result_.said.append(buffer, static_cast<std::size_t>(got));
+    return got > 0 || (got < 0 && errno == EINTR);
+  }
+  void end() {
+    kill(-child_, SIGKILL);
+    wait_for_child(child_);
+    child_ = 0;
+  }
+
+  const std::size_t number_;
+  const std::function<void()> tick_;
+  int output_ = -1;
+  pid_t child_ = 0;
+  Clock::time_point deadline_;
+  ToolResult result_{};
 };
 
 }  // namespace
 
 ToolResult run_tool(const ToolRun& run) {
-  if (!has_tool(run.words[0])) throw MissingTool(run.words[0] + " is not installed");
-  catch_interrupts();
-  Pipe pipe;
-  const pid_t child = start(run, pipe.writer());
-  pipe.close_writer();
   ToolResult result{};
-  for (bool open = true; open;) {
-    if (interrupted()) {
-      kill(-child, SIGKILL);
-      wait_for_child(child);
-      throw Interrupted();
-    }
-    if (run.tick) run.tick();
-    pollfd wait{pipe.reader(), POLLIN, 0};
-    if (poll(&wait, 1, TickMilliseconds) <= 0) continue;
-    char buffer[4096];
-    const ssize_t got = read(pipe.reader(), buffer, sizeof buffer);
-    if (got > 0) result.said.append(buffer, static_cast<std::size_t>(got));
-    else open = got < 0 && errno == EINTR;
-  }
-  result.good = wait_for_child(child) == 0;
+  run_tools({run}, 1, NoLimit, [&result](std::size_t, const ToolResult& end) { result = end; });
   return result;
+}
+
+void run_tools(const std::vector<ToolRun>& runs, int jobs, std::chrono::milliseconds limit,
+               const std::function<void(std::size_t, const ToolResult&)>& done) {
+  for (const ToolRun& run : runs)
+    if (!has_tool(run.words[0])) throw MissingTool(run.words[0] + " is not installed");
+  catch_interrupts();
+  const auto at_once = static_cast<std::size_t>(std::max(1, jobs));
+  std::list<RunningTool> running;
+  for (std::size_t next = 0; next < runs.size() || !running.empty();) {
+    if (interrupted()) throw Interrupted();
+    for (; next < runs.size() && running.size() < at_once; ++next)
+      running.emplace_back(runs[next], next, limit);
+    std::vector<pollfd> waits;
+    for (const RunningTool& tool : running) {
+      tool.tick();
+      waits.push_back({tool.output(), POLLIN, 0});
+    }
+    poll(waits.data(), waits.size(), TickMilliseconds);
+    auto wait = waits.begin();
+    for (auto tool = running.begin(); tool != running.end(); ++wait) {
+      const ToolResult* result = tool->look(wait->revents != 0);
+      if (result) done(tool->number(), *result);
+      tool = result ? running.erase(tool) : std::next(tool);
+    }
+  }
 }
 
 bool has_tool(const std::string& name) {
