@@ -22,6 +22,12 @@ std::string parameter_name(const std::string& knob) {
 
 }  // namespace
 
+knobs without_pins(knobs k) {
+  k.speed = knobs().speed;
+  k.interlace = knobs().interlace;
+  return k;
+}
+
 std::vector<rtl_parameter> knob_parameters(const knobs& k) {
   std::vector<rtl_parameter> all;
   for (const knob_info& row : knob_table())

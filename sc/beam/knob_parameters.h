@@ -11,6 +11,10 @@
 
 namespace racebeam {
 
+/// The same chip with the knobs that are input pins as they are by default: no RTL has them as
+/// parameters.
+knobs without_pins(knobs k);
+
 /// One for each knob: interval_stack_depth is IntervalStackDepth.
 std::vector<rtl_parameter> knob_parameters(const knobs& k);
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "sc/beam/knob_parameters.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
@@ -20,14 +21,6 @@ namespace racebeam {
 namespace {
 
 constexpr const char* Beside = "lockstep:";  ///< before a file
-
-/// Nothing but pins is set: racebeam_top has no parameters.
-bool is_taped_out(const knobs& k) {
-  knobs chip;
-  chip.speed = k.speed;
-  chip.interlace = k.interlace;
-  return k == chip;
-}
 
 /// Says what the contract does not know and what may be computed wrongly.
 std::string checked(const std::string& plugin) {
@@ -47,7 +40,7 @@ const std::vector<std::string>& own_implementations() {
 UseOption::UseOption(const engine& built, const knobs& k, const scene_tables* scene, bool traced)
     : engine_(built),
       scene_file_(scene != nullptr),
-      wired_(!scene && is_taped_out(k)),
+      wired_(!scene && without_pins(k) == knobs()),  // racebeam_top has no parameters
       plugins_(beam_plugins(k, scene, traced)) {}
 
 void UseOption::check_unit(const std::string& unit) const {
