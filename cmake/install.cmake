@@ -1,7 +1,7 @@
 # What is installed, in three components:
 #   program    racebeam with manual page and completions, its picture library, scenes, checksums of
 #              the chip, what plug-ins include
-#   rtl        the units in SystemVerilog, verilated when asked for
+#   rtl        the units in SystemVerilog, verilated when asked for, and how yosys counts their cells
 #   hardware   the SystemC chip as a library, for find_package and pkg-config
 # All paths are relative to the prefix: it may be moved.
 set(RACEBEAM_DATADIR ${CMAKE_INSTALL_DATADIR}/racebeam)
@@ -70,6 +70,10 @@ install_completion(zsh zsh/site-functions _racebeam)
 install(
   DIRECTORY rtl
   DESTINATION ${RACEBEAM_DATADIR}
+  COMPONENT rtl)
+install(
+  PROGRAMS scripts/netlist scripts/strict.sh
+  DESTINATION ${RACEBEAM_DATADIR}/scripts
   COMPONENT rtl)
 
 install(

@@ -145,7 +145,7 @@ std::vector<OptionalTool> find_tools() {
   std::vector<OptionalTool> tools = {
       {"verilator", "verilator", "runs RTL: render --use, render --tt, verify", ""},
       {"gtkwave", "gtkwave", "shows waveforms", ""},
-      {"yosys", "yosys", "counts the cells of RTL: scripts/area", ""},
+      {"yosys", "yosys", "counts the cells of RTL: sweeps with silicon", ""},
       {"sox", "sox", "plays sound and draws spectrograms", ""},
   };
   for (OptionalTool& tool : tools) tool.path = find_in_path(tool.name);
