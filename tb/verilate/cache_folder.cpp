@@ -209,4 +209,11 @@ WorkFolder::~WorkFolder() {
   close(lock_);
 }
 
+void WorkFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream out(file(name));
+  out << text;
+  out.close();
+  if (!out) throw RtlError("cannot write " + file(name) + "; is the disk full?");
+}
+
 }  // namespace racebeam

@@ -42,6 +42,8 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
+  /// Writes a file of it. Throws RtlError.
+  void write(const std::string& name, const std::string& text) const;
 
  private:
   std::string path_;

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "tb/base/project_folder.h"
+#include "tb/twin/beam_twins.h"
+#include "tb/verilate/cache_folder.h"
 #include "tests/cli/program.h"
 
 namespace racebeam {
@@ -46,11 +48,21 @@ class CliRtlTest : public testing::Test {
     EXPECT_EQ(run.wait(), code) << run.err();
     EXPECT_THAT(run.err(), testing::HasSubstr(said));
   }
-  /// A cache of this test alone.
+  /// A cache of this test alone, with Verilator's run time and nothing of RTL.
   Program::Setting own_cache() const {
+    add_run_time(cache());
     Program::Setting setting;
     setting.environment = "RACEBEAM_CACHE=" + cache();
     return setting;
+  }
+  static void add_run_time(const fs::path& cache) {
+    beam_plugins({}).own("stacks");  // which makes it
+    fs::create_directories(cache);
+    for (const auto& entry : fs::directory_iterator(cache_folder())) {
+      const fs::path name = entry.path().filename();
+      if (name.string().rfind("verilator-", 0) == 0 && !fs::exists(cache / name))
+        fs::create_symlink(entry.path(), cache / name);
+    }
   }
   std::string cache() const { return folder / "cache"; }
   /// Waits for it, a minute at most.

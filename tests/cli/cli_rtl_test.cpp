@@ -123,6 +123,8 @@ TEST_F(CliRtlTest, ACacheThatCannotBeWrittenIsNamed) {
 }
 
 TEST_F(CliRtlTest, WithoutAHomeTheCacheIsAmongTemporaryFiles) {
+  const std::string name = "racebeam-" + std::to_string(geteuid());
+  add_run_time(folder / name);
   unsetenv("RACEBEAM_CACHE");
   unsetenv("XDG_CACHE_HOME");
   setenv("HOME", "/dev/null", 1);
@@ -130,12 +132,14 @@ TEST_F(CliRtlTest, WithoutAHomeTheCacheIsAmongTemporaryFiles) {
   setting.environment = "TMPDIR=" + folder.path();
   Program run(folder.path(), verify("stacks"), setting);
   EXPECT_EQ(run.wait(), 0) << run.err();
-  EXPECT_TRUE(fs::exists(folder / ("racebeam-" + std::to_string(geteuid()))));
+  EXPECT_THAT(run.err(), HasSubstr("verilating stacks"));
   fs::create_directory(folder / "tmp");
+  fs::rename(folder / name, fs::path(folder / "tmp") / name);
   setting.environment = "TMPDIR=tmp";
-  Program relative(folder.path(), verify("stacks"), setting);
+  Program relative(folder.path(), verify("vga_timing"), setting);
   EXPECT_EQ(relative.wait(), 0) << relative.err();
-  EXPECT_TRUE(fs::exists(folder / ("tmp/racebeam-" + std::to_string(geteuid()))));
+  EXPECT_THAT(relative.err(), HasSubstr("verilating vga_timing"));
+  EXPECT_FALSE(fs::exists(folder / name));
   setting.environment = "TMPDIR=/nonexistent";
   Program nowhere(folder.path(), verify("stacks"), setting);
   EXPECT_EQ(nowhere.wait(), 2);
