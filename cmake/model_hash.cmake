@@ -23,7 +23,8 @@ set(MODEL_OF_beam
     tb/scene/table_reader.*
     tb/scene/toml_tree.*
     tb/bench/tlm_bench.*
-    tb/monitor/raster.*)
+    tb/monitor/raster.*
+    tb/sweep/columns.*)
 
 # model_sources(<engine> <root> <variable>): those files, seen from <root>
 function(model_sources engine root variable)

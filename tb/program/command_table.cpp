@@ -7,6 +7,7 @@
 #include "tb/program/command_knobs.h"
 #include "tb/program/command_render.h"
 #include "tb/program/command_scene.h"
+#include "tb/program/command_sweep.h"
 #include "tb/program/command_trace.h"
 #include "tb/program/command_units.h"
 #include "tb/program/command_verify.h"
@@ -17,8 +18,8 @@ namespace racebeam {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      render_row(),   view_row(),  explain_row(), trace_row(), scene_row(),  verify_row(),
-      verilate_row(), units_row(), knobs_row(),   bench_row(), doctor_row(),
+      render_row(),   view_row(),  explain_row(), trace_row(), scene_row(), verify_row(),
+      verilate_row(), units_row(), knobs_row(),   sweep_row(), bench_row(), doctor_row(),
   };
   return table;
 }

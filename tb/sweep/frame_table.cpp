@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tb/base/errors.h"
 #include "tb/sweep/row_digest.h"
 #include "tb/sweep/schema.h"
 #include "tb/sweep/store_errors.h"
@@ -52,7 +53,22 @@ struct FrameTable::Block {
   std::vector<std::string> disputes{};
 };
 
-int FrameTable::put(const FrameKey& key, const std::vector<MeasuredFrame>& frames) {
+int FrameTable::take_over(const FrameKey& key, const FrameTable& other, const FrameKey& from) {
+  if (!read(key, {}).empty()) return 0;
+  if (other.columns(from.model) != columns(key.model))
+    throw UsageError(other.database_.file() + " has other figures than this program measures");
+  const auto all_causes = other.causes(from);
+  std::vector<MeasuredFrame> frames;
+  for (FrameRow& row : other.read(from)) {
+    const auto causes = all_causes.find(row.frame);
+    frames.push_back({std::move(row), {}, {}});
+    if (causes != all_causes.end()) frames.back().causes = causes->second;
+  }
+  return put(key, frames, other.histograms(from));
+}
+
+int FrameTable::put(const FrameKey& key, const std::vector<MeasuredFrame>& frames,
+                    const std::map<std::string, Histogram>& more) {
   const std::vector<std::string>& names = columns(key.model);
   for (const MeasuredFrame& frame : frames)
     if (const FrameRow& row = frame.row;
@@ -60,6 +76,7 @@ int FrameTable::put(const FrameKey& key, const std::vector<MeasuredFrame>& frame
       throw std::invalid_argument(fmt::format("frame {} is not as its digest says", row.frame));
   Transaction all(database_);
   Block block(database_, key, names);
+  block.histograms = more;
   for (const MeasuredFrame& frame : frames) {
     put_row(block, frame.row);
     put_causes(block, frame);
@@ -212,6 +229,12 @@ std::map<int, std::map<std::string, std::int64_t>> FrameTable::causes(const Fram
   for (select.with(key.model, key.scene, key.point); select.next();)
     all[static_cast<int>(select.integer(0))][select.text(1)] = select.integer(2);
   return all;
+}
+
+std::int64_t FrameTable::count(std::int64_t model) const {
+  Statement select(database_, "SELECT count(*) FROM frame WHERE model = ?");
+  select.with(model).next();
+  return select.integer(0);
 }
 
 std::int64_t FrameTable::disputed(std::int64_t model) const {

@@ -49,7 +49,12 @@ class FrameTable {
   /// Throws NotDeterministic if a frame is another one than before: the first result stays, both
   /// are kept as disputed, and so are the other frames of the block; std::invalid_argument of rows
   /// that do not fit the model's columns or their digest.
-  int put(const FrameKey& key, const std::vector<MeasuredFrame>& block);
+  int put(const FrameKey& key, const std::vector<MeasuredFrame>& block) {
+    return put(key, block, {});
+  }
+  /// All that another store has of a point, if there is nothing of it here; the number of frames.
+  /// Throws UsageError if it has other columns.
+  int take_over(const FrameKey& key, const FrameTable& other, const FrameKey& from);
 
   /// Which frames are there, in order, by point.
   std::unordered_map<std::int64_t, std::vector<KeptFrame>> there(std::int64_t model,
@@ -62,6 +67,8 @@ class FrameTable {
   std::map<std::string, Histogram> histograms(const FrameKey& key) const;
   /// Pixels by cause, by frame: of those that have them.
   std::map<int, std::map<std::string, std::int64_t>> causes(const FrameKey& key) const;
+  /// All frames of a model.
+  std::int64_t count(std::int64_t model) const;
   /// Frames that have differed from themselves.
   std::int64_t disputed(std::int64_t model) const;
 
@@ -70,6 +77,8 @@ class FrameTable {
 
  private:
   struct Block;
+  int put(const FrameKey& key, const std::vector<MeasuredFrame>& block,
+          const std::map<std::string, Histogram>& more);
   void put_row(Block& block, const FrameRow& row);
   void put_causes(Block& block, const MeasuredFrame& frame);
   void add_histograms(const Block& block);

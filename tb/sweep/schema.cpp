@@ -50,7 +50,7 @@ CREATE TABLE cause(model INTEGER REFERENCES model, scene INTEGER REFERENCES scen
 CREATE TABLE unit(hash TEXT PRIMARY KEY, unit TEXT, parameters TEXT, recipe TEXT,
   flip_flops INTEGER, cells INTEGER, area REAL, digest INTEGER NOT NULL) STRICT;
 -- picture: zlib
-CREATE TABLE reference(hash TEXT PRIMARY KEY, bytes INTEGER NOT NULL, picture BLOB NOT NULL,
+CREATE TABLE reference(hash TEXT PRIMARY KEY, picture BLOB NOT NULL,
   digest INTEGER NOT NULL) STRICT;
 CREATE TABLE failure(model INTEGER REFERENCES model, scene INTEGER REFERENCES scene,
   point INTEGER REFERENCES point, reason TEXT NOT NULL, tries INTEGER NOT NULL,
@@ -58,6 +58,12 @@ CREATE TABLE failure(model INTEGER REFERENCES model, scene INTEGER REFERENCES sc
 CREATE TABLE stopped(model INTEGER REFERENCES model, point INTEGER REFERENCES point,
   frames INTEGER NOT NULL, by INTEGER REFERENCES point(id), why TEXT NOT NULL,
   PRIMARY KEY(model, point)) STRICT;
+-- the base's frames: which are the worst
+CREATE TABLE scan(model INTEGER REFERENCES model, scene INTEGER REFERENCES scene,
+  point INTEGER REFERENCES point, frame INTEGER, busy_max INTEGER NOT NULL,
+  starved INTEGER NOT NULL, digest INTEGER NOT NULL,
+  PRIMARY KEY(model, scene, point, frame)) STRICT, WITHOUT ROWID;
+CREATE TABLE note(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
 CREATE TABLE run(id INTEGER PRIMARY KEY, started TEXT NOT NULL, ended TEXT, host TEXT, cpu TEXT,
   cores INTEGER, command TEXT, tools TEXT, cpu_seconds REAL) STRICT;
 )";
@@ -187,7 +193,8 @@ const std::vector<DigestedTable>& digested_tables() {
       {"histogram", "model, scene, point, name, frames, bins"},
       {"cause", "model, scene, point, frame, cause, pixels"},
       {"unit", "hash, unit, parameters, recipe, flip_flops, cells, area"},
-      {"reference", "hash, bytes, picture"},
+      {"reference", "hash, picture"},
+      {"scan", "model, scene, point, frame, busy_max, starved"},
   };
   return tables;
 }

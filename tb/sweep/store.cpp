@@ -58,23 +58,19 @@ std::int64_t Store::scene(const StoredScene& scene) {
 std::vector<std::int64_t> Store::points(const std::vector<StoredPoint>& points) {
   std::vector<std::int64_t> ids;
   Transaction all(database_);
-  Statement find(database_, "SELECT id, coalesce(name, '') FROM point WHERE hash = ?");
+  Statement find(database_, "SELECT id FROM point WHERE hash = ?");
   Statement insert(database_, "INSERT INTO point(hash, setting) VALUES (?, ?)");
-  Statement free(database_, "UPDATE point SET name = NULL WHERE name = ?");
+  Statement(database_, "UPDATE point SET name = NULL").run();
   Statement rename(database_, "UPDATE point SET name = nullif(?, '') WHERE id = ?");
   for (const StoredPoint& point : points) {
     const std::string hash = text_hash(point.setting);
-    std::string had;
     if (find.with(hash).next()) {
       ids.push_back(find.integer(0));
-      had = find.text(1);
       find.reset();
     } else {
       insert.with(hash, point.setting).run();
       ids.push_back(database_.last_id());
     }
-    if (had == point.name) continue;
-    free.with(point.name).run();
     rename.with(point.name, ids.back()).run();
   }
   all.commit();

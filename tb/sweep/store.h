@@ -50,8 +50,8 @@ class Store {
   /// UsageError if the same model had other columns.
   std::int64_t model(const StoredModel& model, const std::vector<std::string>& columns);
   std::int64_t scene(const StoredScene& scene);
-  /// Their ids, in their order; one transaction. A name belongs to one point: whoever had it before
-  /// has none.
+  /// Their ids, in their order; one transaction. From now on no other point has a name. Points of
+  /// scenes with other knobs may have the same one.
   std::vector<std::int64_t> points(const std::vector<StoredPoint>& points);
 
   /// What is there, in the order in which it came.
@@ -70,6 +70,8 @@ class Store {
   ReferenceCache references{database_};
   FailureTable failures{database_};
   StoppedTable stopped{database_};
+  ScanTable scans{database_};
+  NoteTable notes{database_};
   RunTable runs{database_};
 };
 

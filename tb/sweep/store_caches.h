@@ -31,11 +31,11 @@ class UnitCache {
   Database& database_;
 };
 
-/// Pictures as bytes, kept small. The key: of scene, frame, look and tracer.
+/// Pictures, packed. The key: of scene, frame, look and tracer.
 class ReferenceCache {
  public:
   explicit ReferenceCache(Database& database) : database_(database) {}
-  /// Throws DamagedStore of one that cannot be read.
+  bool has(const std::string& hash) const;
   std::optional<std::string> find(const std::string& hash) const;
   /// One that is there stays.
   void put(const std::string& hash, std::string_view picture);

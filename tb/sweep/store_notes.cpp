@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/sweep/store_notes.h"
 
+#include "tb/sweep/schema.h"
+
 namespace racebeam {
 
 namespace {
@@ -54,6 +56,36 @@ std::vector<StoppedPoint> StoppedTable::all(std::int64_t model) const {
     points.push_back({select.integer(0), static_cast<int>(select.integer(1)), select.integer(2),
                       select.text(3)});
   return points;
+}
+
+void ScanTable::put(const FrameKey& key, const std::vector<ScannedFrame>& frames) {
+  Transaction all(database_);
+  Statement insert(database_, insert_with_digest("scan") + " ON CONFLICT DO NOTHING");
+  for (const ScannedFrame& one : frames)
+    insert.with(key.model, key.scene, key.point, one.frame, one.busy_max, one.starved).run();
+  all.commit();
+}
+
+std::vector<ScannedFrame> ScanTable::read(const FrameKey& key) const {
+  Statement select(database_,
+                   "SELECT frame, busy_max, starved FROM scan "
+                   "WHERE model = ? AND scene = ? AND point = ? ORDER BY frame");
+  std::vector<ScannedFrame> frames;
+  for (select.with(key.model, key.scene, key.point); select.next();)
+    frames.push_back({static_cast<int>(select.integer(0)), select.integer(1), select.integer(2)});
+  return frames;
+}
+
+std::string NoteTable::find(const std::string& name) const {
+  Statement select(database_, "SELECT value FROM note WHERE name = ?");
+  return select.with(name).next() ? select.text(0) : "";
+}
+
+void NoteTable::put(const std::string& name, const std::string& text) {
+  Statement(database_,
+            "INSERT INTO note VALUES (?, ?) ON CONFLICT DO UPDATE SET value = excluded.value")
+      .with(name, text)
+      .run();
 }
 
 std::int64_t RunTable::begin(const SweepRun& run) {

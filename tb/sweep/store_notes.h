@@ -52,6 +52,36 @@ class StoppedTable {
   Database& database_;
 };
 
+/// A number of each frame of a scene that shows which are the worst.
+struct ScannedFrame {
+  int frame = 0;
+  std::int64_t busy_max = 0, starved = 0;
+};
+
+/// All frames of a base point: its worst ones are the guard frames of all points.
+class ScanTable {
+ public:
+  explicit ScanTable(Database& database) : database_(database) {}
+  /// One transaction; those that are there stay.
+  void put(const FrameKey& key, const std::vector<ScannedFrame>& frames);
+  std::vector<ScannedFrame> read(const FrameKey& key) const;
+
+ private:
+  Database& database_;
+};
+
+/// What a sweep wants to know again, by name.
+class NoteTable {
+ public:
+  explicit NoteTable(Database& database) : database_(database) {}
+  /// "": there is none.
+  std::string find(const std::string& name) const;
+  void put(const std::string& name, const std::string& text);
+
+ private:
+  Database& database_;
+};
+
 struct SweepRun {
   std::string host, cpu;
   int cores = 0;

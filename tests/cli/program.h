@@ -64,6 +64,13 @@ class Program {
   void signal(int number) const { kill(pid_, number); }
   /// To all of its process group: Ctrl-C on a terminal. With Setting::group.
   void signal_group(int number) const { kill(-pid_, number); }
+  int id() const { return pid_; }
+  /// It has not ended, or nobody has waited for it.
+  bool runs() const {
+    siginfo_t info{};
+    return pid_ > 0 && waitid(P_PID, id_t(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == 0;
+  }
   /// Processes that it has started and that live.
   int children() const { return static_cast<int>(children_ids().size()); }
   std::vector<int> children_ids() const {

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/command_sweep.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/base/output_file.h"
+#include "tb/program/common_options.h"
+#include "tb/sweep/starter_sweep.h"
+#include "tb/sweep/sweep_run.h"
+#include "tb/sweep/sweep_status.h"
+
+namespace racebeam {
+
+namespace {
+
+struct Options {
+  SweepOptions run;
+  bool watch = false, json = false;
+  int sample = 20;
+  std::string csv, frames_csv, json_file;
+};
+
+int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+int sweep_new(const Options& options) {
+  const std::string& file = options.run.file;
+  std::error_code ignored;
+  if (std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
+    throw UsageError(file + " exists; choose another name");
+  write_text(file, starter_sweep());
+  tell("wrote " + file + "; try `racebeam sweep run " + file + " -o out --dry-run`");
+  return ExitGood;
+}
+
+int sweep_run(const Options& options) { return run_sweep(options.run); }
+
+int sweep_status(const Options& options) {
+  constexpr std::chrono::seconds Pause(1);
+  if (options.watch) catch_interrupts();
+  for (;;) {
+    const bool goes_on = options.watch && is_running(options.run.folder);
+    print(status_text(options.run.folder, options.json));
+    if (!goes_on) return ExitGood;
+    if (interrupted()) return ExitInterrupted;
+    std::this_thread::sleep_for(Pause);
+  }
+}
+
+int sweep_check(const Options& options) {
+  std::string report;
+  const bool good = check_sweep(options.run.folder, options.sample, options.run.jobs, report);
+  print(report);
+  return good ? ExitGood : ExitDifference;
+}
+
+int sweep_export(const Options& options) {
+  const std::string& folder = options.run.folder;
+  if (options.csv.empty() && options.frames_csv.empty() && options.json_file.empty())
+    throw UsageError("sweep export needs --csv, --frames or --json, with a file");
+  if (!options.csv.empty()) export_sweep(folder, ExportKind::Points, options.csv);
+  if (!options.frames_csv.empty()) export_sweep(folder, ExportKind::Frames, options.frames_csv);
+  if (!options.json_file.empty()) export_sweep(folder, ExportKind::Json, options.json_file);
+  return ExitGood;
+}
+
+void add_file(CLI::App& command, Options& options, const char* type) {
+  command.add_option("file", options.run.file, "Sweep file (TOML)")->required()->type_name(type);
+}
+
+void add_folder(CLI::App& command, Options& options) {
+  command.add_option("folder", options.run.folder, "What -o of sweep run has named")
+      ->required()
+      ->type_name("DIR")
+      ->check(not_empty());
+}
+
+void add_jobs(CLI::App& command, Options& options) {
+  options.run.jobs = cores();
+  add_number(command, "--jobs", options.run.jobs, "Workers at once; default: the cores",
+             is_number_in("--jobs", 1, 256));
+}
+
+void add_run_options(CLI::App& run, Options& options) {
+  add_file(run, options, "SWEEP");
+  run.add_option("-o,--output", options.run.folder, "Folder: results are kept there, and found")
+      ->required()
+      ->type_name("DIR")
+      ->check(not_empty());
+  add_jobs(run, options);
+  run.add_option("--set", options.run.assignments, "Take no other value of this knob (repeatable)")
+      ->type_name("KNOB=VALUE")
+      ->allow_extra_args(false);
+  run.add_option("--reuse", options.run.reuse,
+                 "Take equal results from the folder of another sweep (repeatable)")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  run.add_flag("--fresh", options.run.fresh,
+               "Measure anew with another model; the old results are kept");
+  run.add_flag("--dry-run", options.run.dry_run,
+               "Say points, frames, time and disk; write nothing");
+}
+
+void add_export_options(CLI::App& command, Options& options) {
+  add_folder(command, options);
+  const auto file = [&](const char* name, std::string& to, const char* help) {
+    command.add_option(name, to, help)->type_name("FILE")->check(not_empty());
+  };
+  file("--csv", options.csv, "One row a point: settings, means");
+  file("--frames", options.frames_csv, "One row a frame, with all that was counted");
+  file("--json", options.json_file, "Everything");
+}
+
+}  // namespace
+
+Command sweep_row() {
+  return {"sweep", "Measure many settings, compare, keep, go on", "Change", "sweep new my.toml",
+          [](CLI::App& command) -> RunCommand {
+            const auto options = std::make_shared<Options>();
+            const auto chosen = std::make_shared<int (*)(const Options&)>();
+            command.require_subcommand(1);
+            const auto add = [&](const char* name, const char* help, int (*run)(const Options&)) {
+              CLI::App* one = command.add_subcommand(name, help);
+              one->callback([chosen, run] { *chosen = run; });
+              return one;
+            };
+            add_file(*add("new", "Write a sweep to start from", sweep_new), *options, "FILE");
+            add_run_options(*add("run", "Start, or go on: the same command", sweep_run), *options);
+            CLI::App* status =
+                add("status", "How far it is, who works on it, what failed", sweep_status);
+            add_folder(*status, *options);
+            status->add_flag("--watch", options->watch, "Again every second, until it ends");
+            status->add_flag("--json", options->json, "JSON on stdout instead of the text");
+            CLI::App* check =
+                add("check", "Whether the store is sound, and stored frames repeat", sweep_check);
+            add_folder(*check, *options);
+            add_number(*check, "--sample", options->sample, "Stored frames to measure again",
+                       is_number_in("--sample", 0, 1'000'000))
+                ->capture_default_str();
+            add_jobs(*check, *options);
+            add_export_options(*add("export", "Results as CSV or JSON", sweep_export), *options);
+            return [options, chosen](const std::vector<std::string>& words) {
+              options->run.command.clear();
+              for (const std::string& word : words)
+                options->run.command += (options->run.command.empty() ? "" : " ") + word;
+              return (*chosen)(*options);
+            };
+          }};
+}
+
+}  // namespace racebeam

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/block.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tb/sweep/packed.h"
+#include "tb/sweep/row_digest.h"
+
+namespace racebeam {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// All knobs by name: a request is read by the program that wrote it.
+Json knobs_json(const knobs& k) {
+  Json json = Json::object();
+  for (const knob_info& row : knob_table()) json[row.name] = k.*row.member;
+  return json;
+}
+
+knobs knobs_of(const Json& json) {
+  knobs k;
+  for (const knob_info& row : knob_table()) k.*row.member = json.at(row.name).get<int>();
+  return k;
+}
+
+Json pictures_json(const std::map<int, std::string>& pictures) {
+  Json json = Json::object();
+  for (const auto& [frame, picture] : pictures)
+    json[std::to_string(frame)] =
+        Json::binary(std::vector<std::uint8_t>(picture.begin(), picture.end()));
+  return json;
+}
+
+std::map<int, std::string> pictures_of(const Json& json) {
+  std::map<int, std::string> pictures;
+  for (const auto& [frame, bytes] : json.items()) {
+    const auto& binary = bytes.get_binary();
+    pictures[std::stoi(frame)] = std::string(binary.begin(), binary.end());
+  }
+  return pictures;
+}
+
+}  // namespace
+
+std::string request_text(const Block& block) {
+  const std::vector<std::uint8_t> bytes = Json::to_cbor({
+      {"block", block.number},
+      {"point", block.point},
+      {"scene", block.scene},
+      {"scene_name", block.scene_name},
+      {"scene_hash", block.scene_hash},
+      {"knobs", knobs_json(block.k)},
+      {"frames", block.frames},
+      {"guard", block.guard},
+      {"causes", block.causes},
+      {"pictures", block.pictures},
+      {"scan", block.scan},
+      {"reference", static_cast<int>(block.reference)},
+      {"references", pictures_json(block.references)},
+      {"is_base", block.is_base},
+  });
+  return {bytes.begin(), bytes.end()};
+}
+
+Block block_of(const std::string& request) {
+  const Json json = Json::from_cbor(request);
+  Block block;
+  block.number = json.at("block");
+  block.point = json.at("point");
+  block.scene = json.at("scene");
+  block.scene_name = json.at("scene_name");
+  block.scene_hash = json.at("scene_hash");
+  block.k = knobs_of(json.at("knobs"));
+  block.frames = json.at("frames").get<std::vector<int>>();
+  block.guard = json.at("guard");
+  block.causes = json.at("causes");
+  block.pictures = json.at("pictures");
+  block.scan = json.at("scan");
+  block.reference = static_cast<SweepReference>(json.at("reference").get<int>());
+  block.references = pictures_of(json.at("references"));
+  block.is_base = json.at("is_base");
+  return block;
+}
+
+std::string answer_line(const Answer& answer) {
+  const MeasuredFrame& frame = answer.frame;
+  Json json = {{"block", answer.block},
+               {"frame", frame.row.frame},
+               {"guard", frame.row.guard},
+               {"digest", frame.row.digest},
+               {"values", frame.row.values}};
+  if (!frame.histograms.empty()) json["histograms"] = frame.histograms;
+  if (!frame.causes.empty()) json["causes"] = frame.causes;
+  if (!answer.reference.empty()) json["reference"] = hex_of(answer.reference);
+  if (!answer.picture.empty()) json["picture"] = hex_of(answer.picture);
+  return json.dump() + "\n";
+}
+
+std::string done_line(int block) { return Json{{"block", block}, {"done", true}}.dump() + "\n"; }
+
+std::string error_line(int block, const std::string& error) {
+  return Json{{"block", block}, {"error", error}}.dump(-1, ' ', false,
+                                                       Json::error_handler_t::replace) +
+         "\n";
+}
+
+AnswerLine read_answer(const std::string& line, int block) try {
+  const Json json = Json::parse(line);
+  if (json.at("block") != block) return {};
+  if (json.contains("error")) return {AnswerLine::Error, {}, json["error"]};
+  if (json.contains("done")) return {AnswerLine::Done};
+  AnswerLine read{AnswerLine::Frame};
+  Answer& answer = read.answer;
+  answer.block = block;
+  FrameRow& row = answer.frame.row;
+  row.frame = json.at("frame");
+  row.guard = json.at("guard");
+  row.digest = json.at("digest");
+  row.values = json.at("values").get<std::vector<std::int64_t>>();
+  if (row.digest != frame_digest(row.frame, row.values)) return {};
+  const auto of_key = [&](const char* key, auto& member) {
+    if (json.contains(key)) json[key].get_to(member);
+  };
+  of_key("histograms", answer.frame.histograms);
+  of_key("causes", answer.frame.causes);
+  if (json.contains("reference")) answer.reference = of_hex(json["reference"].get<std::string>());
+  if (json.contains("picture")) answer.picture = of_hex(json["picture"].get<std::string>());
+  return read;
+} catch (const std::exception&) {
+  return {};  // garbage
+}
+
+}  // namespace racebeam

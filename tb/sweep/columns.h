@@ -1,0 +1,29 @@
+// The columns of a sweep's store: what is kept of a frame, as integers.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sc/base/engine.h"
+
+namespace racebeam {
+
+/// Beside what an engine counts; pixels.
+struct FrameErrors {
+  std::int64_t error_pixels = 0;          ///< that differ from the reference picture
+  std::int64_t visible_error_pixels = 0;  ///< of those: not explained by an edge moved by a pixel
+};
+
+/// The engine's counters by name; of each number of its lines NAME.sum, NAME.p99, NAME.max and
+/// NAME.never (lines that it never came in); then FrameErrors, and the picture's digest.
+std::vector<std::string> sweep_columns(const engine& built);
+
+/// Their values in a frame with this picture, 640 x 480 colours.
+std::vector<std::int64_t> column_values(const frame_counts& counts, const FrameErrors& errors,
+                                        const std::vector<std::uint8_t>& colours);
+
+}  // namespace racebeam

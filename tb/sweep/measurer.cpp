@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/measurer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tb/judge/picture_errors.h"
+#include "tb/sweep/model_hash.h"
+#include "tb/sweep/row_digest.h"
+#include "tb/sweep/store_errors.h"
+
+namespace racebeam {
+
+namespace {
+
+// A worker takes some 10 ms to begin and a frame some 6 ms: blocks are long enough for the first
+// not to matter, and short enough for all workers to end at about the same time.
+constexpr std::size_t SmallestBlock = 32, LargestBlock = 128, BlocksOfAJob = 4;
+
+bool has(const std::vector<int>& sorted, int frame) {
+  return std::binary_search(sorted.begin(), sorted.end(), frame);
+}
+
+void insert(std::vector<int>& sorted, int frame) {
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), frame);
+  if (at == sorted.end() || *at != frame) sorted.insert(at, frame);
+}
+
+}  // namespace
+
+Measurer::Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& store,
+                   std::int64_t model, ForkServer& server, int jobs, std::function<void()> look)
+    : plan_(plan),
+      folder_(folder),
+      store_(store),
+      model_(model),
+      server_(server),
+      jobs_(jobs),
+      look_(std::move(look)),
+      kept_(plan.points.size() * plan.scenes.size()),
+      failures_(plan.points.size()) {
+  std::vector<StoredPoint> points;
+  for (const PlannedPoint& point : plan.points)
+    for (const std::string& setting : point.settings) points.push_back({setting, point.point.name});
+  points_ = store.points(points);
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    const Show& show = plan.scenes[scene].show;
+    scenes_.push_back(store.scene({show.name(), show.hash(), show.frames()}));
+    const auto there = store.frames.there(model, scenes_.back());
+    for (std::size_t point = 0; point < plan.points.size(); ++point) {
+      const std::size_t at = point * plan.scenes.size() + scene;
+      const auto frames = there.find(points_[at]);
+      if (frames == there.end()) continue;
+      for (const KeptFrame& frame : frames->second)
+        (frame.guard ? kept_[at].guard : kept_[at].sample).push_back(frame.frame);
+    }
+  }
+}
+
+std::size_t Measurer::index(int point, int scene) const {
+  return static_cast<std::size_t>(point) * plan_.scenes.size() + static_cast<std::size_t>(scene);
+}
+
+FrameKey Measurer::key(int point, int scene) const {
+  return {model_, scenes_[static_cast<std::size_t>(scene)], points_[index(point, scene)]};
+}
+
+int Measurer::failed() const {
+  return static_cast<int>(std::count_if(failures_.begin(), failures_.end(),
+                                        [](const std::string& why) { return !why.empty(); }));
+}
+
+void Measurer::forget_failures() {
+  for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
+    for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
+      if (failure(point).empty()) store_.failures.remove(key(point, scene));
+}
+
+std::vector<int> Measurer::lacks(const Want& want) const {
+  const Kept& there = kept(want.point, want.scene);
+  std::vector<int> frames;
+  for (const int frame : want.frames)
+    if (!has(there.sample, frame) && !(want.guard && has(there.guard, frame)))
+      frames.push_back(frame);
+  std::sort(frames.begin(), frames.end());
+  return frames;
+}
+
+int Measurer::missing(const std::vector<Want>& wants) const {
+  std::size_t frames = 0;
+  for (const Want& want : wants) frames += lacks(want).size();
+  return static_cast<int>(frames);
+}
+
+Block Measurer::block_of(const Want& want) const {
+  const SweepScene& scene = plan_.scenes[static_cast<std::size_t>(want.scene)];
+  Block block;
+  block.point = want.point;
+  block.scene = want.scene;
+  block.scene_name = scene.name;
+  block.scene_hash = scene.show.hash();
+  block.k =
+      plan_.points[static_cast<std::size_t>(want.point)].k[static_cast<std::size_t>(want.scene)];
+  block.frames = want.frames;
+  block.guard = want.guard;
+  block.causes = plan_.file.measure.causes && !want.guard;
+  block.reference = plan_.file.measure.reference;
+  block.is_base = want.point == 0;
+  return block;
+}
+
+void Measurer::add_blocks(std::list<Block>& blocks, const Want& want, std::size_t size) {
+  for (std::size_t begin = 0; begin < want.frames.size(); begin += size) {
+    Block block = block_of(want);
+    const auto first = want.frames.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto left = static_cast<std::size_t>(want.frames.end() - first);
+    block.frames.assign(first, first + static_cast<std::ptrdiff_t>(std::min(size, left)));
+    block.number = ++blocks_;
+    blocks.push_back(std::move(block));
+  }
+}
+
+bool Measurer::run(std::list<Block> blocks) {
+  return BlockRunner(server_, jobs_, *this).run(std::move(blocks));
+}
+
+bool Measurer::measure(const std::vector<Want>& wants) {
+  for (const bool base : {true, false}) {
+    std::vector<Want> all;
+    std::size_t frames = 0;
+    for (const Want& want : wants) {
+      if ((want.point == 0) != base || !failure(want.point).empty()) continue;
+      Want lacking = want;
+      lacking.frames = lacks(want);
+      frames += lacking.frames.size();
+      all.push_back(std::move(lacking));
+    }
+    const std::size_t share = frames / (static_cast<std::size_t>(jobs_) * BlocksOfAJob) + 1;
+    const std::size_t size = std::clamp(share, SmallestBlock, LargestBlock);
+    std::list<Block> blocks;
+    for (const Want& want : all) add_blocks(blocks, want, size);
+    if (!run(std::move(blocks))) return false;
+    if (!failure(0).empty()) break;  // nothing to compare with
+  }
+  return true;
+}
+
+bool Measurer::repeat(const Want& want) {
+  std::list<Block> blocks;
+  add_blocks(blocks, want, want.frames.size());
+  return run(std::move(blocks));
+}
+
+bool Measurer::scan(int scene) {
+  std::vector<int> there;
+  for (const ScannedFrame& one : store_.scans.read(key(0, scene))) there.push_back(one.frame);
+  Want want{0, scene, {}};
+  for (const int frame : plan_.scenes[static_cast<std::size_t>(scene)].order)
+    if (!has(there, frame)) want.frames.push_back(frame);
+  std::sort(want.frames.begin(), want.frames.end());
+  std::list<Block> blocks;
+  add_blocks(blocks, want, LargestBlock);
+  for (Block& block : blocks) block.scan = true;
+  return run(std::move(blocks));
+}
+
+std::map<int, std::string> Measurer::pictures(const Want& want) {
+  std::map<int, std::string> pictures;
+  std::list<Block> blocks;
+  add_blocks(blocks, want, LargestBlock);
+  for (Block& block : blocks) block.pictures = true;
+  pictures_ = &pictures;
+  run(std::move(blocks));
+  pictures_ = nullptr;
+  return pictures;
+}
+
+std::string Measurer::reference_key(const Block& block, int frame) const {
+  const bool base = block.reference == SweepReference::Base;
+  const knobs& look =
+      base ? plan_.points[0].k[static_cast<std::size_t>(block.scene)] : reference_knobs(block.k);
+  return text_hash(fmt::format("{} {} {} {}\n{}", model_hash("beam"), block.scene_hash, frame,
+                               reference_words()[static_cast<std::size_t>(block.reference)],
+                               point_text(look)));
+}
+
+void Measurer::prepare(Block& block) {
+  if (block.scan || block.pictures) return;
+  for (const int frame : block.frames)
+    if (auto picture = store_.references.find(reference_key(block, frame)))
+      block.references[frame] = std::move(*picture);
+}
+
+void Measurer::take(const Block& block, const std::vector<Answer>& answers) try {
+  if (pictures_) {
+    for (const Answer& answer : answers) (*pictures_)[answer.frame.row.frame] = answer.picture;
+    return;
+  }
+  const FrameKey of = key(block.point, block.scene);
+  if (block.scan) {
+    std::vector<ScannedFrame> frames;
+    for (const Answer& answer : answers)
+      frames.push_back(
+          {answer.frame.row.frame, answer.frame.row.values.at(0), answer.frame.row.values.at(1)});
+    store_.scans.put(of, frames);
+    return;
+  }
+  Transaction references(store_.database());
+  std::vector<MeasuredFrame> frames;
+  for (const Answer& answer : answers) {
+    frames.push_back(answer.frame);
+    if (!answer.reference.empty())
+      store_.references.put(reference_key(block, answer.frame.row.frame), answer.reference);
+  }
+  references.commit();
+  store_.frames.put(of, frames);
+  Kept& there = kept(block.point, block.scene);
+  for (const MeasuredFrame& frame : frames)
+    insert(block.guard ? there.guard : there.sample, frame.row.frame);
+  measured_ += static_cast<std::int64_t>(frames.size());
+} catch (const DiskFull& error) {
+  throw error.keeping(fmt::format("{} frames are kept", store_.frames.count(model_)));
+}
+
+void Measurer::refuse(int point, const std::string& reason) {
+  const std::string& name = plan_.points[static_cast<std::size_t>(point)].point.name;
+  failures_[static_cast<std::size_t>(point)] = reason;
+  for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
+    store_.failures.put(key(point, scene), reason);
+  folder_.keep_failure(name, fmt::format("{}\n{}\n", name, reason));
+}
+
+void Measurer::fail(const Block& block, const std::string& reason, const std::string& words) {
+  const std::string& name = plan_.points[static_cast<std::size_t>(block.point)].point.name;
+  failures_[static_cast<std::size_t>(block.point)] = reason;
+  store_.failures.put(key(block.point, block.scene), reason);
+  folder_.keep_failure(name,
+                       fmt::format("{} on {}\n{}\n{}", name, block.scene_name, reason, words));
+}
+
+}  // namespace racebeam

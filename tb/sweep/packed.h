@@ -1,0 +1,23 @@
+// Pictures in fewer bytes: what crosses pipes and lies in stores.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace racebeam {
+
+/// By zlib.
+std::string packed(std::string_view bytes);
+/// The `size` bytes again. Throws std::runtime_error if they are others.
+std::string unpacked(std::string_view bytes, std::size_t size);
+
+/// As digits, for text.
+std::string hex_of(std::string_view bytes);
+/// Throws std::runtime_error of other characters.
+std::string of_hex(std::string_view digits);
+
+}  // namespace racebeam

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/stored_frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+#include "tb/base/counted.h"
+#include "tb/base/errors.h"
+#include "tb/show/open_show.h"
+#include "tb/sweep/block_runner.h"
+#include "tb/sweep/interval_text.h"
+#include "tb/sweep/model_hash.h"
+#include "tb/sweep/schema.h"
+
+namespace racebeam {
+
+namespace {
+
+// Where error pixels stand, and the value that they have without the reference picture: a base's
+// picture is not made again.
+const std::set<std::string> OfReference = {"error_pixels", "visible_error_pixels"};
+
+/// Compares what workers answer with what is stored.
+class Comparer : public BlockRunner::Owner {
+ public:
+  Comparer(const Store& store, std::int64_t model, std::map<int, FrameKey> keys,
+           std::map<int, std::string> names, std::string& report)
+      : store_(store),
+        columns_(store.frames.columns(model)),
+        keys_(std::move(keys)),
+        names_(std::move(names)),
+        report_(report) {}
+
+  void prepare(Block&) override {}
+  void take(const Block& block, const std::vector<Answer>& answers) override {
+    const std::vector<FrameRow> rows = store_.frames.read(keys_.at(block.number));
+    for (const Answer& answer : answers) {
+      ++repeated;
+      const FrameRow& now = answer.frame.row;
+      const auto row = std::find_if(rows.begin(), rows.end(),
+                                    [&](const FrameRow& one) { return one.frame == now.frame; });
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (block.reference == SweepReference::Base && OfReference.count(columns_[i])) continue;
+        if (row->values[i] == now.values[i]) continue;
+        good = false;
+        report_ += fmt::format("frame {} of {} does not repeat: {} was {}, and is {}\n", now.frame,
+                               names_.at(block.number), columns_[i], row->values[i], now.values[i]);
+        break;
+      }
+    }
+  }
+  void fail(const Block& block, const std::string& reason, const std::string&) override {
+    good = false;
+    report_ += fmt::format("{}: {}\n", names_.at(block.number), reason);
+  }
+  void look() override {}
+
+  int repeated = 0;
+  bool good = true;
+
+ private:
+  const Store& store_;
+  const std::vector<std::string> columns_;
+  const std::map<int, FrameKey> keys_;
+  const std::map<int, std::string> names_;
+  std::string& report_;
+};
+
+// The knobs of a stored setting, and what it was compared with.
+bool read_setting(const std::string& text, knobs& k, SweepReference& reference) {
+  const auto& words = reference_words();
+  for (const auto& [name, value] : setting_of(text)) {
+    if (name == "reference") {
+      const auto at = std::find(words.begin(), words.end(), value);
+      if (at == words.end()) return false;
+      reference = static_cast<SweepReference>(at - words.begin());
+    }
+    for (const knob_info& row : knob_table()) {
+      if (name != row.name) continue;
+      int number = row.min;
+      while (number <= row.max && row.text(number) != value) ++number;
+      if (number > row.max) return false;
+      k.*row.member = number;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool repeat_frames(Store& store, std::int64_t model, int sample, ForkServer& server, int jobs,
+                   std::string& report) {
+  std::string hash;
+  for (const StoredModel& one : store.models())
+    if (one.id == model) hash = one.hash;
+  if (hash != model_hash("beam")) {
+    report += fmt::format("measured by another model, {}: this program, {}, cannot repeat it\n",
+                          hash, model_hash("beam"));
+    return true;
+  }
+  std::map<std::int64_t, Show> shows;
+  std::vector<std::pair<FrameKey, int>> stored;
+  for (const StoredScene& scene : store.scenes()) {
+    const auto there = store.frames.there(model, scene.id);
+    if (there.empty()) continue;
+    const Show show = open_show(scene.name);
+    if (show.hash() != scene.hash) {
+      report += "the scene " + scene.name + " has changed: its results cannot be repeated\n";
+      continue;
+    }
+    shows.emplace(scene.id, show);
+    for (const auto& [point, frames] : there)
+      for (const KeptFrame& frame : frames)
+        stored.push_back({{model, scene.id, point}, frame.frame});
+  }
+  std::shuffle(stored.begin(), stored.end(), std::mt19937(std::random_device()()));
+  stored.resize(std::min(stored.size(), static_cast<std::size_t>(sample)));
+
+  std::map<std::int64_t, StoredPoint> points;
+  for (const StoredPoint& point : store.points()) points[point.id] = point;
+  std::map<std::pair<std::int64_t, std::int64_t>, Block> blocks;
+  for (const auto& [key, frame] : stored) blocks[{key.scene, key.point}].frames.push_back(frame);
+  std::list<Block> list;
+  std::map<int, FrameKey> keys;
+  std::map<int, std::string> names;
+  for (auto& [of, block] : blocks) {
+    const auto& [scene, point] = of;
+    const Show& show = shows.at(scene);
+    block.number = static_cast<int>(list.size()) + 1;
+    keys[block.number] = {model, scene, point};
+    names[block.number] = points[point].name.empty() ? "a point" : points[point].name;
+    block.scene_name = show.name();
+    block.scene_hash = show.hash();
+    block.is_base = true;  // whatever it was compared with, its own picture serves
+    if (!read_setting(points[point].setting, block.k, block.reference)) {
+      report += names[block.number] + " has knobs that this program does not know\n";
+      return false;
+    }
+    list.push_back(block);
+  }
+  Comparer comparer(store, model, keys, names, report);
+  if (!BlockRunner(server, jobs, comparer).run(std::move(list))) throw Interrupted();
+  report += fmt::format("{} measured again{}\n", counted(comparer.repeated, "stored frame"),
+                        comparer.good ? ": all as they were" : "");
+  return comparer.good;
+}
+
+}  // namespace racebeam

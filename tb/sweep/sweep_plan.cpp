@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/sweep_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tb/base/console.h"
+#include "tb/base/counted.h"
+#include "tb/base/errors.h"
+#include "tb/show/open_show.h"
+#include "tb/sweep/figures.h"
+#include "tb/sweep/frame_order.h"
+#include "tb/sweep/interval_text.h"
+#include "tb/sweep/row_digest.h"
+#include "tb/sweep/sweep_points.h"
+#include "tb/sweep/sweep_reader.h"
+
+namespace racebeam {
+
+namespace {
+
+SweepNames sweep_names() {
+  SweepNames names;
+  for (const Figure& figure : figure_table())
+    names.figures.push_back({figure.name, figure.unit, figure.sampled(),
+                             figure.kind == Figure::Exact ? "silicon" : ""});
+  names.scenes = scene_names();
+  names.is_scene = [](const std::string& scene) {
+    return scene == "demo" || std::filesystem::exists(scene_path(scene));
+  };
+  return names;
+}
+
+SweepScene open_scene(const std::string& name, const SweepFile& file, int& left_out) {
+  SweepScene scene{name, open_show(name), {}};
+  std::vector<int> allowed;
+  for (int frame = 0; frame < scene.show.frames(); ++frame)
+    if (!file.frames.skips(scene.show.part(frame))) allowed.push_back(frame);
+  left_out += scene.show.frames() - static_cast<int>(allowed.size());
+  if (allowed.empty())
+    throw UsageError("frames.skip leaves no frame of " + name + "; give fewer patterns");
+  scene.order = frame_order(allowed, file.search.seed);
+  return scene;
+}
+
+// Results of a point depend on its knobs and on what they are compared with.
+std::string setting(const knobs& k, const SweepFile& file, const knobs& base) {
+  std::string text = point_text(k) + "reference=" +
+                     reference_words()[static_cast<std::size_t>(file.measure.reference)] + "\n";
+  if (file.measure.reference == SweepReference::Base)
+    text += "reference_base=" + text_hash(point_text(base)) + "\n";
+  return text;
+}
+
+SweepPlan plan(SweepResult read) {
+  SweepPlan plan{std::move(read.file), std::move(read.text), {}, {}};
+  std::vector<knobs> standards;
+  for (const std::string& name : plan.file.scenes) {
+    plan.scenes.push_back(open_scene(name, plan.file, plan.left_out));
+    standards.push_back(plan.scenes.back().show.standard_knobs());
+  }
+  const SweepPoints points = sweep_points(plan.file, standards);
+  std::vector<std::string> objections;
+  for (const SweepPoint& point : points.points) {
+    PlannedPoint planned{point, {}, {}};
+    for (std::size_t scene = 0; scene < standards.size(); ++scene) {
+      const knobs k = knobs_on(point, standards[scene]);
+      if (const std::string why = plan.scenes[scene].show.objection(k); !why.empty())
+        objections.push_back(fmt::format("{} on {}: {}", point.name, plan.scenes[scene].name, why));
+      planned.k.push_back(k);
+      planned.settings.push_back(
+          setting(k, plan.file, knobs_on(points.points.front(), standards[scene])));
+    }
+    plan.points.push_back(std::move(planned));
+  }
+  for (const std::string& objection : objections) tell(objection);
+  if (!objections.empty())
+    throw UsageError(counted(objections.size(), "point") +
+                     " cannot be run on a scene; leave them out with knobs.where");
+  for (const auto& [name, same] : points.same) tell(name + " is " + same + " by another name");
+  return plan;
+}
+
+}  // namespace
+
+int SweepPlan::sample(std::size_t scene) const {
+  const int all = static_cast<int>(scenes[scene].order.size());
+  return file.frames.sample == 0 ? all : std::min(file.frames.sample, all);
+}
+
+int SweepPlan::population() const {
+  int frames = 0;
+  for (const SweepScene& scene : scenes) frames += static_cast<int>(scene.order.size());
+  return frames;
+}
+
+std::string SweepPlan::key() const {
+  std::string all = text;
+  for (const PlannedPoint& point : points) {
+    all += "\n" + point.point.name;
+    for (const std::string& one : point.settings) all += "\n" + one;
+  }
+  for (const SweepScene& scene : scenes) all += "\n" + scene.show.hash();
+  return text_hash(all);
+}
+
+SweepPlan plan_sweep(const std::string& path, const std::vector<std::string>& narrowed) {
+  return plan(load_sweep(path, sweep_names(), narrowed));
+}
+
+}  // namespace racebeam

@@ -1,0 +1,45 @@
+// SweepPlan: a sweep file with all that it names opened: what is to be measured, before anything
+// is.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/show/show.h"
+#include "tb/sweep/sweep_file.h"
+
+namespace racebeam {
+
+struct SweepScene {
+  std::string name;  ///< as in the file
+  Show show;
+  std::vector<int> order;  ///< the frames that may be taken, in the order in which they are
+};
+
+struct PlannedPoint {
+  SweepPoint point;
+  std::vector<knobs> k;               ///< by scene
+  std::vector<std::string> settings;  ///< by scene: what tells its results from others
+};
+
+struct SweepPlan {
+  SweepFile file;
+  std::string text;  ///< of the file
+  std::vector<SweepScene> scenes;
+  std::vector<PlannedPoint> points;  ///< the base first
+  int left_out = 0;                  ///< frames of parts that are skipped, of all scenes
+
+  /// Frames of a scene that a point takes.
+  int sample(std::size_t scene) const;
+  int population() const;  ///< frames that may be taken, of all scenes
+  /// What makes it another run: the file, what was narrowed, and the scenes.
+  std::string key() const;
+};
+
+/// Reads a sweep file and opens its scenes. Throws UsageError after all faults are on stderr.
+SweepPlan plan_sweep(const std::string& path, const std::vector<std::string>& narrowed);
+
+}  // namespace racebeam

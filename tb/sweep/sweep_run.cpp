@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/sweep_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/sweep/columns.h"
+#include "tb/sweep/guard_frames.h"
+#include "tb/sweep/interval_text.h"
+#include "tb/sweep/measurer.h"
+#include "tb/sweep/model_hash.h"
+#include "tb/sweep/provenance.h"
+#include "tb/sweep/reuse.h"
+#include "tb/sweep/sweep_dry_run.h"
+#include "tb/sweep/sweep_pictures.h"
+#include "tb/sweep/sweep_progress.h"
+#include "tb/sweep/sweep_silicon.h"
+#include "tb/sweep/sweep_state.h"
+#include "tb/sweep/sweep_summary.h"
+#include "tb/sweep/worker.h"
+
+namespace racebeam {
+
+namespace {
+
+/// A run in a folder that is taken.
+class Sweep {
+ public:
+  Sweep(const SweepOptions& options, const SweepPlan& plan, SweepFolder& folder, ForkServer& server)
+      : options_(options),
+        plan_(plan),
+        folder_(folder),
+        store_(folder.store(), Access::Write),
+        model_(open_model(store_, plan, folder.path(), options.fresh)),
+        reused_(reuse_results(store_, model_, plan, options.reuse)),
+        progress_(plan, folder),
+        measurer_(plan, folder, store_, model_, server, options.jobs,
+                  [this] { progress_.look(measurer_, rung_); }),
+        state_(plan, store_, measurer_),
+        silicon_(plan, &store_) {}
+
+  int run() {
+    const std::string key = plan_.key() + model_hash("beam");
+    if (const std::string found = store_.notes.find("found " + key); !found.empty()) {
+      print(found);
+      return store_.notes.find("failed " + key).empty() ? ExitGood : ExitDifference;
+    }
+    folder_.keep_sweep(plan_.text);
+    tell(plan_text(plan_, there()) + silicon_.plan_text());
+    if (reused_ > 0) tell(fmt::format("{} frames taken over", grouped(reused_)));
+    const std::int64_t id = store_.runs.begin(this_run(options_.command, options_.jobs));
+    const bool whole = measure();
+    store_.runs.end(id, cpu_seconds());
+    progress_.end(measurer_, rung_, whole);
+    if (!measurer_.failure(0).empty()) {
+      tell("the base point cannot be measured, and nothing compared with it: " +
+           measurer_.failure(0));
+      return ExitDifference;
+    }
+    if (!whole) {
+      tell(fmt::format("interrupted; {} frames are kept; the same command goes on",
+                       grouped(store_.frames.count(model_))));
+      return ExitInterrupted;
+    }
+    measurer_.forget_failures();
+    store_.stopped.replace(model_, state_.stops());
+    const std::string text = summary_text(plan_, measurer_, state_, rung_);
+    print(text);
+    store_.notes.put("found " + key, text);
+    store_.notes.put("failed " + key, measurer_.failed() ? "yes" : "");
+    return measurer_.failed() ? ExitDifference : ExitGood;
+  }
+
+ private:
+  int last_rung() const {
+    int most = 0;
+    for (std::size_t scene = 0; scene < plan_.scenes.size(); ++scene)
+      most = std::max(most, plan_.sample(scene));
+    return most;
+  }
+
+  /// Frames of the sample that need not be measured.
+  int there() const {
+    const std::vector<Want> all = wants(last_rung());
+    std::size_t frames = 0;
+    for (const Want& want : all) frames += want.frames.size();
+    return static_cast<int>(frames) - measurer_.missing(all);
+  }
+
+  /// The first frames of each scene for the points that go on.
+  std::vector<Want> wants(int frames) const {
+    std::vector<Want> all;
+    for (const int point : state_.running())
+      for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene) {
+        const std::vector<int>& order = plan_.scenes[static_cast<std::size_t>(scene)].order;
+        const auto count = std::min(order.size(), static_cast<std::size_t>(frames));
+        all.push_back({point, scene, {order.begin(), order.begin() + std::ptrdiff_t(count)}});
+      }
+    return all;
+  }
+
+  bool measure() {
+    if (!repeats()) return false;
+    silicon_.measure(state_, measurer_, options_.jobs);
+    const bool races = plan_.file.search.race && !plan_.file.goals.empty();
+    for (const int frames : races ? rungs(last_rung()) : std::vector<int>{last_rung()}) {
+      if (!measure_rung(frames)) return false;
+      if (races) state_.race(frames);
+    }
+    const int most = std::max(plan_.file.frames.most, last_rung());
+    while (rung_ < most && state_.wide(rung_))
+      if (!measure_rung(std::min(2 * rung_, most))) return false;
+    return guard() && keep_pictures(plan_, folder_, measurer_, state_);
+  }
+
+  bool measure_rung(int frames) {
+    rung_ = frames;
+    return measurer_.measure(wants(frames)) && measurer_.failure(0).empty();
+  }
+
+  /// Another program with the same model counts the same.
+  bool repeats() {
+    if (!is_new_program(store_, model_)) return true;
+    std::vector<int> there;
+    for (const FrameRow& row : store_.frames.read(measurer_.key(0, 0), {}))
+      if (!row.guard) there.push_back(row.frame);
+    std::vector<int> some;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, there.size()); ++i)
+      some.push_back(there[i * there.size() / 3]);
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+    if (!some.empty() && !measurer_.repeat({0, 0, some})) return false;
+    know_program(store_, model_);
+    return true;
+  }
+
+  bool guard() {
+    if (plan_.file.frames.guard == 0) return true;
+    std::vector<Want> all;
+    for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene) {
+      const std::vector<int>& order = plan_.scenes[static_cast<std::size_t>(scene)].order;
+      if (rung_ >= static_cast<int>(order.size())) continue;  // all are there
+      if (!measurer_.scan(scene)) return false;
+      const std::vector<int> worst =
+          worst_frames(store_.scans.read(measurer_.key(0, scene)), plan_.file.frames.guard);
+      for (const int point : state_.running()) all.push_back({point, scene, worst, true});
+    }
+    return measurer_.measure(all);
+  }
+
+  const SweepOptions& options_;
+  const SweepPlan& plan_;
+  SweepFolder& folder_;
+  Store store_;
+  const std::int64_t model_, reused_;
+  int rung_ = 0;
+  SweepProgress progress_;
+  Measurer measurer_;
+  SweepState state_;
+  SweepSilicon silicon_;
+};
+
+}  // namespace
+
+int run_sweep(const SweepOptions& options) {
+  ForkServer server(work_on);  // while this process is small
+  const SweepPlan plan = plan_sweep(options.file, options.assignments);
+  if (options.dry_run) {
+    print(dry_run_text(plan, options.folder, server, options.jobs));
+    return ExitGood;
+  }
+  SweepFolder folder(options.folder, Access::Write);
+  catch_interrupts();
+  return Sweep(options, plan, folder, server).run();
+}
+
+}  // namespace racebeam

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/sweep_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace racebeam {
+
+namespace {
+
+Reading::Kind kind_of(const Figure& figure) {
+  if (figure.kind == Figure::Exact) return Reading::Exact;
+  return figure.sampled() ? Reading::Sampled : Reading::Largest;
+}
+
+std::vector<std::string> columns_of(const Figure& figure) {
+  std::vector<std::string> columns;
+  for (const Figure::Term& term : figure.terms) columns.emplace_back(term.column);
+  return columns;
+}
+
+}  // namespace
+
+std::vector<int> SweepState::running() const {
+  std::vector<int> points;
+  for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
+    if (stopped(point).empty() && measurer_.failure(point).empty()) points.push_back(point);
+  return points;
+}
+
+PointReading SweepState::read(int point, const Figure& figure, int frames) const {
+  PointReading result;
+  result.there = true;
+  result.reading.kind = kind_of(figure);
+  if (figure.kind == Figure::Exact) {
+    const auto at = exact_.find({point, figure.name});
+    result.there = at != exact_.end();
+    if (result.there) result.reading.exact = at->second;
+    return result;
+  }
+  const std::vector<std::string> columns = columns_of(figure);
+  const FigureReader reader(figure, columns);
+  for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene) {
+    const std::vector<int>& order = plan_.scenes[static_cast<std::size_t>(scene)].order;
+    const auto taken = std::min(order.size(), static_cast<std::size_t>(frames));
+    std::vector<int> first(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(taken));
+    std::sort(first.begin(), first.end());
+    std::vector<FrameRow> rows = store_.frames.read(measurer_.key(point, scene), columns);
+    rows.erase(std::remove_if(rows.begin(), rows.end(),
+                              [&](FrameRow& row) {
+                                const bool sample =
+                                    std::binary_search(first.begin(), first.end(), row.frame);
+                                row.guard = row.guard && !sample;
+                                return !sample && !row.guard;
+                              }),
+               rows.end());
+    result.reading.frames.push_back(reader.stratum(rows, static_cast<int>(order.size())));
+    result.there = result.there && !result.reading.frames.back().frames.empty();
+  }
+  return result;
+}
+
+std::vector<Candidate> SweepState::candidates(const std::vector<int>& points, int frames) const {
+  std::vector<Candidate> all;
+  for (const int point : points) {
+    Candidate candidate;
+    candidate.name = plan_.points[static_cast<std::size_t>(point)].point.name;
+    candidate.base = point == 0;
+    for (const Goal& goal : plan_.file.goals) {
+      const PointReading read = this->read(point, *figure_named(goal.figure), frames);
+      candidate.readings.push_back(read.reading);
+    }
+    all.push_back(std::move(candidate));
+  }
+  return all;
+}
+
+double SweepState::confidence() const {
+  return for_best_of(std::max(1, static_cast<int>(plan_.points.size()) - 1));
+}
+
+void SweepState::race(int frames) {
+  const std::vector<int> points = running();
+  for (const Stop& stop :
+       racebeam::stops(candidates(points, frames), plan_.file.goals, frames, confidence())) {
+    Stopped& stopped = stops_[static_cast<std::size_t>(points[stop.point])];
+    stopped = {frames, stop.by < 0 ? -1 : points[static_cast<std::size_t>(stop.by)], stop.why};
+  }
+}
+
+std::vector<StoppedPoint> SweepState::stops() const {
+  std::vector<StoppedPoint> all;
+  for (int point = 0; point < static_cast<int>(stops_.size()); ++point) {
+    const Stopped& one = stops_[static_cast<std::size_t>(point)];
+    if (!one.why.empty())
+      all.push_back({measurer_.key(point, 0).point, one.frames,
+                     one.by < 0 ? 0 : measurer_.key(one.by, 0).point, one.why});
+  }
+  return all;
+}
+
+bool SweepState::wide(int frames) const {
+  for (const auto& [name, percent] : plan_.file.frames.until)
+    for (const int point : running()) {
+      const PointReading read = this->read(point, *figure_named(name), frames);
+      const Estimate mean = mean_of(read.reading.frames);
+      if (!mean.all() && mean.half_width > percent / 100 * std::abs(mean.value)) return true;
+    }
+  return false;
+}
+
+SweepState::Verdicts SweepState::judge(int frames) const {
+  Verdicts all;
+  for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
+    if (measurer_.failure(point).empty()) all.points.push_back(point);
+  all.candidates = candidates(all.points, frames);
+  all.verdicts = racebeam::judge(all.candidates, plan_.file.goals, confidence());
+  return all;
+}
+
+}  // namespace racebeam

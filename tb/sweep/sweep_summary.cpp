@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/sweep_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tb/base/counted.h"
+#include "tb/sweep/figures.h"
+#include "tb/sweep/interval_text.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr std::size_t MostRows = 40;
+
+const char* standing_word(Verdict::Standing standing) {
+  switch (standing) {
+    case Verdict::Front: return "front";
+    case Verdict::Dominated: return "dominated";
+    case Verdict::Undecided: return "undecided";
+    case Verdict::Unwanted: return "unwanted";
+  }
+  return "";
+}
+
+// Goals first, then what says at what price.
+std::vector<const Figure*> shown_figures(const SweepPlan& plan) {
+  std::vector<const Figure*> figures;
+  const auto add = [&](const std::string& name) {
+    const Figure* figure = figure_named(name);
+    if (std::find(figures.begin(), figures.end(), figure) == figures.end())
+      figures.push_back(figure);
+  };
+  for (const Goal& goal : plan.file.goals) add(goal.figure);
+  for (const char* name : {"picture_error", "starved", "busy.max"}) add(name);
+  if (plan.file.measure.silicon) add("cells");
+  return figures;
+}
+
+// Of one scene, or of all (-1).
+Strata strata_of(const PointReading& read, int scene) {
+  if (scene < 0) return read.reading.frames;
+  return {read.reading.frames[static_cast<std::size_t>(scene)]};
+}
+
+std::string cell(const Figure& figure, const PointReading& read, int scene) {
+  if (!read.there) return "-";
+  if (figure.kind == Figure::Exact) return text_of(read.reading.exact, "");
+  const Strata strata = strata_of(read, scene);
+  if (figure.sampled()) return text_of(mean_of(strata), figure.unit[0] == '%' ? "%" : "");
+  return text_of(worst_of(strata).value) + "*";
+}
+
+using Row = std::vector<std::string>;
+
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths.resize(std::max(widths.size(), row.size()));
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+/// The verdicts of a sweep as text.
+class Summary {
+ public:
+  Summary(const SweepPlan& plan, const Measurer& measurer, const SweepState& state, int frames)
+      : plan_(plan),
+        measurer_(measurer),
+        state_(state),
+        frames_(frames),
+        all_(state.judge(frames)),
+        figures_(shown_figures(plan)) {
+    choose_rows();
+  }
+
+  std::string text() const {
+    std::string text = table(-1);
+    if (plan_.scenes.size() > 1)
+      for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
+        text += "\n" + plan_.scenes[static_cast<std::size_t>(scene)].name + "\n" + table(scene);
+    if (left_out_ > 0) text += fmt::format("... and {} more\n", left_out_);
+    text += longest_note() + best() + counts();
+    for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
+      if (const std::string& why = measurer_.failure(point); !why.empty())
+        text += fmt::format("failed: {}: {}\n", name(point), why);
+    return text;
+  }
+
+ private:
+  const std::string& name(int point) const {
+    return plan_.points[static_cast<std::size_t>(point)].point.name;
+  }
+
+  // The front and the base; without goals all points.
+  void choose_rows() {
+    const bool goals = !plan_.file.goals.empty();
+    for (std::size_t i = 0; i < all_.points.size(); ++i)
+      if (!goals || all_.points[i] == 0 || all_.verdicts[i].standing == Verdict::Front)
+        rows_.push_back(i);
+    if (goals)
+      std::stable_sort(rows_.begin(), rows_.end(),
+                       [&](std::size_t a, std::size_t b) { return first(a) < first(b); });
+    if (rows_.size() > MostRows) {
+      left_out_ = rows_.size() - MostRows;
+      rows_.resize(MostRows);
+    }
+  }
+
+  // The first goal's figure.
+  double first(std::size_t candidate) const {
+    const Reading& reading = all_.candidates[candidate].readings.front();
+    if (reading.kind == Reading::Exact) return reading.exact;
+    return reading.kind == Reading::Sampled ? mean_of(reading.frames).value
+                                            : worst_of(reading.frames).value;
+  }
+
+  std::string table(int scene) const {
+    std::vector<Row> rows = {{"", "point", "frames"}};
+    for (const Figure* figure : figures_) rows[0].push_back(figure->name);
+    for (const std::size_t candidate : rows_) {
+      const int point = all_.points[candidate];
+      const PointReading any = state_.read(point, *figure_named("busy"), frames_);
+      std::size_t frames = 0;
+      for (const Stratum& stratum : strata_of(any, scene)) frames += stratum.frames.size();
+      Row row = {plan_.file.goals.empty() ? "" : standing_word(all_.verdicts[candidate].standing),
+                 name(point), grouped(static_cast<long long>(frames))};
+      for (const Figure* figure : figures_)
+        row.push_back(cell(*figure, state_.read(point, *figure, frames_), scene));
+      row.push_back(setting_words(plan_, point));
+      rows.push_back(std::move(row));
+    }
+    return aligned(rows);
+  }
+
+  std::string longest_note() const {
+    for (const Figure* figure : figures_)
+      if (figure->kind == Figure::Largest) {
+        const Worst worst = worst_of(state_.read(0, *figure, frames_).reading.frames);
+        return fmt::format("* worst of the {} frames rendered\n", grouped(worst.frames));
+      }
+    return "";
+  }
+
+  // The point that changes the first sampled goal the most for the better, against the base, with
+  // the interval for the best of all points.
+  std::string best() const {
+    const std::vector<Goal>& goals = plan_.file.goals;
+    for (std::size_t n = 0; n < goals.size(); ++n) {
+      const Figure& figure = *figure_named(goals[n].figure);
+      if (goals[n].kind == GoalKind::Limit || !figure.sampled()) continue;
+      const double sign = goals[n].kind == GoalKind::Max ? -1 : 1;
+      std::size_t best = 0;
+      Estimate change;
+      for (std::size_t i = 1; i < all_.points.size(); ++i) {
+        if (all_.verdicts[i].standing != Verdict::Front) continue;
+        const Estimate one =
+            difference_of(all_.candidates[i].readings[n].frames,
+                          all_.candidates[0].readings[n].frames, state_.confidence());
+        if (best != 0 && sign * one.value >= sign * change.value) continue;
+        best = i;
+        change = one;
+      }
+      if (best == 0 || sign * change.value >= 0) continue;
+      return sentence(figure, name(all_.points[best]), name(all_.points[0]), change);
+    }
+    return "";
+  }
+
+  std::string sentence(const Figure& figure, const std::string& better, const std::string& base,
+                       Estimate change) const {
+    const bool sure = change.differs_from(0);
+    const bool less = change.value < 0;
+    change.value = std::abs(change.value);
+    const std::string unit = figure.kind == Figure::Percent ? "points" : figure.unit;
+    return fmt::format("{} has {} {} than {} by {}{}{}\n", better, less ? "less" : "more",
+                       figure.name, base, text_of(change, unit),
+                       plan_.points.size() > 2 && !change.all()
+                           ? fmt::format(" (95 % for the best of {})", plan_.points.size() - 1)
+                           : "",
+                       !sure             ? ": not surely"
+                       : change.so_far() ? ", so far"
+                                         : "");
+  }
+
+  std::string counts() const {
+    if (plan_.file.goals.empty())
+      return fmt::format("{} measured, {} failed\n", all_.points.size(), measurer_.failed());
+    int standings[4] = {};
+    for (const Verdict& verdict : all_.verdicts) ++standings[verdict.standing];
+    return fmt::format("{} on the front, {} undecided, {} dominated, {} unwanted, {} failed\n",
+                       standings[Verdict::Front], standings[Verdict::Undecided],
+                       standings[Verdict::Dominated], standings[Verdict::Unwanted],
+                       measurer_.failed());
+  }
+
+  const SweepPlan& plan_;
+  const Measurer& measurer_;
+  const SweepState& state_;
+  const int frames_;
+  const SweepState::Verdicts all_;
+  const std::vector<const Figure*> figures_;
+  std::vector<std::size_t> rows_{};  // candidates
+  std::size_t left_out_ = 0;
+};
+
+}  // namespace
+
+std::string setting_words(const SweepPlan& plan, int point) {
+  const SweepPoint& base = plan.points.front().point;
+  const SweepPoint& of = plan.points[static_cast<std::size_t>(point)].point;
+  std::string text;
+  for (const knob_info* row : of.set) {
+    if (point != 0 && of.k.*row->member == base.k.*row->member) continue;
+    text += (text.empty() ? "" : " ") + std::string(row->name) + "=" + row->text(of.k.*row->member);
+  }
+  return text;
+}
+
+std::string plan_text(const SweepPlan& plan, int there) {
+  std::string text = fmt::format("{}: {}", plan.file.name, counted(plan.points.size(), "point"));
+  if (!plan.file.knobs.empty()) text += " of " + counted(plan.file.knobs.size(), "knob");
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene)
+    text +=
+        fmt::format("; {}, {} of {} frames", plan.scenes[scene].name, grouped(plan.sample(scene)),
+                    grouped(static_cast<long long>(plan.scenes[scene].order.size())));
+  if (plan.left_out > 0)
+    text += fmt::format(" ({} left out: {})", grouped(plan.left_out),
+                        fmt::join(plan.file.frames.skip, ", "));
+  if (plan.file.frames.guard > 0) text += fmt::format(" + {} guard frames", plan.file.frames.guard);
+  if (there > 0) text += fmt::format("; {} frames are there already", grouped(there));
+  return text;
+}
+
+std::string summary_text(const SweepPlan& plan, const Measurer& measurer, const SweepState& state,
+                         int frames) {
+  return Summary(plan, measurer, state, frames).text();
+}
+
+}  // namespace racebeam

@@ -1,0 +1,72 @@
+// kill -9 a hundred times, of the program, of what it has forked, of both: the finished store is
+// that of an undisturbed run, and nobody is left.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <random>
+
+#include "tests/cli/sweep_bench.h"
+
+namespace racebeam {
+namespace {
+
+/// Children of a process.
+std::vector<int> children_of(int process) {
+  const std::string name = std::to_string(process);
+  std::istringstream all(read_file("/proc/" + name + "/task/" + name + "/children"));
+  return {std::istream_iterator<int>(all), {}};
+}
+
+enum class Victim { Program, Server, Worker, Any };
+
+class CliSweepKillTest : public CliSweepTest, public testing::WithParamInterface<Victim> {
+ protected:
+  /// Whom to kill now; 0: there is nobody yet.
+  int victim(const Program& run) {
+    const std::vector<int> servers = run.children_ids();
+    std::vector<int> all;
+    if (GetParam() == Victim::Server || GetParam() == Victim::Any) all = servers;
+    if (GetParam() == Victim::Worker || GetParam() == Victim::Any)
+      for (const int server : servers)
+        for (const int worker : children_of(server)) all.push_back(worker);
+    if (GetParam() == Victim::Program || GetParam() == Victim::Any) all.push_back(run.id());
+    return all.empty() ? 0 : all[random() % all.size()];
+  }
+
+  std::mt19937 random{1};
+};
+
+TEST_P(CliSweepKillTest, ALastStoreIsThatOfAnUndisturbedRun) {
+  write(SmallSweep);
+  expect_run("whole");
+  const std::string whole = frames_of("whole");
+  MarkedProcesses own;
+  Program::Setting setting;
+  setting.environment = own.mark();
+  for (int kills = 0, sweep = 0; kills < 100; ++sweep) {
+    const std::string out = "out" + std::to_string(sweep);
+    int code = -1;
+    while (code < 0) {
+      Program run(folder.path(), run_words(out), setting);
+      while (kills < 100 && run.runs()) {
+        usleep(20'000 + random() % 300'000);
+        if (const int process = victim(run)) kills += kill(process, SIGKILL) == 0;
+      }
+      code = run.wait();
+      ASSERT_LE(code, 0) << run.err();
+    }
+    ASSERT_EQ(frames_of(out), whole) << "after " << kills << " kills";
+  }
+  EXPECT_TRUE(own.become(0)) << own.count() << " processes are left";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, CliSweepKillTest,
+                         testing::Values(Victim::Program, Victim::Server, Victim::Worker,
+                                         Victim::Any),
+                         [](const auto& info) {
+                           const char* const names[] = {"Program", "Server", "Worker", "Any"};
+                           return names[static_cast<std::size_t>(info.param)];
+                         });
+
+}  // namespace
+}  // namespace racebeam
