@@ -10,6 +10,9 @@ set(MODEL_OF_beam
     sc/beam
     sc/beam/tlm
     tb/golden
+    tb/judge/error_links.*
+    tb/judge/picture_chain.*
+    tb/judge/tlm_pictures.*
     tb/scene/camera_path.*
     tb/scene/plan_reader.*
     tb/scene/plan_rows.*

@@ -56,7 +56,9 @@ GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
   picture.reserve(VisibleColumns * VisibleRows);
   for (int y = FirstVisibleLine; y < FirstVisibleLine + VisibleRows; ++y) {
     const bool is_ideal = tracer == GoldenTracer::Geometry;
-    const GoldenRays rays = is_ideal ? whole(camera.ideal(y)) : camera.rays(y);
+    GoldenRays rays{};  // geometry needs none but for the pattern
+    if (!is_ideal) rays = camera.rays(y);
+    else if (world.lock != GoldenLock::None) rays = whole(camera.ideal(y));
     GoldenHits hits{};
     if (world.lock != GoldenLock::Full)
       hits = is_ideal                         ? geometry_line(world, camera.ideal(y), y)

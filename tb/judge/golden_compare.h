@@ -1,10 +1,12 @@
 // In how many pixels the chip differs from the golden tracers, and why.
 //
 // A chain of pictures leads from the chip as it was run to trace_4: each link switches one of the
-// chip's limits off, in the cores. A pixel that differs from trace_4 is put down to the last link
-// that changes it, so that these numbers add up to the difference. Behind trace_4 three more causes
-// are counted as what they are: trace_4 against trace_2, trace_2 with corners of any size, and that
-// against geometry. What is left over must be nothing.
+// chip's limits off, at the tlm level. A pixel that differs from trace_4 is put down to the last
+// link that changes it, so that these numbers add up to the difference. Behind trace_4 three more
+// causes are counted as what they are: trace_4 against trace_2, trace_2 with corners of any size,
+// and that against geometry. A second chain, from trace_4 to geometry, splits the rounding of rays
+// by the knobs that there are for it; its three numbers add up to that difference. What is left
+// over must be nothing.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -14,18 +16,14 @@
 #include <vector>
 
 #include "tb/golden/golden_picture.h"
+#include "tb/judge/error_links.h"
 #include "tb/show/show.h"
 
 namespace racebeam {
 
-struct GoldenCause {
-  const char* name;     ///< as in the statistics file
-  const char* meaning;  ///< what is switched off
-};
-
-/// All causes, in the order in which they are switched off: golden_limits() of them lead to
-/// trace_4.
-const std::vector<GoldenCause>& golden_causes();
+/// All causes: the first golden_limits() of them lead to trace_4, in the order in which they are
+/// switched off.
+const std::vector<ErrorCause>& golden_causes();
 int golden_limits();
 
 /// Of one frame, or sums over several.

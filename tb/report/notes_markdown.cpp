@@ -107,7 +107,7 @@ std::string counters(const SceneNotes& notes) {
 
 std::string pixels(const SceneNotes& notes) {
   const GoldenCounts& golden = notes.golden();
-  const std::vector<GoldenCause>& causes = golden_causes();
+  const std::vector<ErrorCause>& causes = golden_causes();
   const double all = FramePixels * static_cast<double>(notes.frames().size());
   std::string text = "| differing pixels | sum | share | what it is |\n|---|--:|--:|---|\n";
   const auto row = [&](const std::string& name, int count, const std::string& meaning) {

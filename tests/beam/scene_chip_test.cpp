@@ -10,10 +10,10 @@
 #include "sc/beam/chip_core.h"
 #include "tb/bench/signal_bench.h"
 #include "tb/golden/golden_picture.h"
-#include "tb/judge/core_renderer.h"
 #include "tb/scene/camera_path.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/show/show.h"
+#include "tests/support/core_picture.h"
 #include "tests/support/unlimited.h"
 
 namespace racebeam {

@@ -6,9 +6,9 @@
 
 #include "sc/beam/chip_core.h"
 #include "tb/golden/golden_picture.h"
-#include "tb/judge/core_renderer.h"
 #include "tb/scene/scene_compiler.h"
 #include "tests/beam/random_scene.h"
+#include "tests/support/core_picture.h"
 #include "tests/support/unlimited.h"
 
 namespace racebeam {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-#include "tb/judge/core_renderer.h"
+#include "tests/support/core_picture.h"
 
 namespace racebeam {
 namespace {
@@ -54,6 +54,33 @@ TEST(GoldenCompare, ACauseThatIsOffCountsNothing) {
     EXPECT_EQ(pixels(counts, cause), 0) << cause;
   k.dr_bits = 9;
   EXPECT_GT(pixels(compare(1023, k).counts, "other_knobs"), 0);
+}
+
+TEST(GoldenCompare, TheRoundingOfRaysAddsUpToTrace4AgainstGeometry) {
+  constexpr int Frame = 7167;
+  const GoldenWorld world(Frame, {});
+  const GoldenCamera camera(Frame);
+  const GoldenCounts counts = compare(Frame).counts;
+  int sum = 0;
+  for (const char* cause : {"ray_steps", "ray_bits", "ray_rest"}) {
+    EXPECT_GT(pixels(counts, cause), 0) << cause;
+    sum += pixels(counts, cause);
+  }
+  EXPECT_EQ(sum, golden_difference(golden_picture(GoldenTracer::Trace4, world, camera),
+                                   golden_picture(GoldenTracer::Geometry, world, camera)));
+}
+
+TEST(GoldenCompare, KnobsThatTheTracersDoNotFollowAreExplained) {
+  knobs k;
+  k.ddr_fraction_bits = 5;
+  k.head_start = 320;
+  k.stepping = SteppingFractionDr2;
+  k.stepping_fraction_bits = 3;
+  k.corner_rounding = 1;
+  k.fifo_merge = 0;
+  const GoldenCounts counts = compare(1023, k).counts;
+  EXPECT_EQ(pixels(counts, "unexplained"), 0);
+  EXPECT_GT(pixels(counts, "other_knobs"), 0);
 }
 
 TEST(GoldenCompare, APixelThatNoLimitExplainsIsUnexplained) {

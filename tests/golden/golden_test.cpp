@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "tb/golden/tracer_4.h"
-#include "tb/judge/core_renderer.h"
 #include "tb/show/demo_parts.h"
 #include "tests/golden/golden_hits.h"
+#include "tests/support/core_picture.h"
 #include "tests/support/unlimited.h"
 
 namespace racebeam {
