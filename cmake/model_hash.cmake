@@ -10,9 +10,12 @@ set(MODEL_OF_beam
     sc/beam
     sc/beam/tlm
     tb/golden
+    tb/judge/error_causes.*
     tb/judge/error_links.*
     tb/judge/picture_chain.*
+    tb/judge/reference_picture.*
     tb/judge/tlm_pictures.*
+    tb/judge/visible_error.*
     tb/scene/camera_path.*
     tb/scene/plan_reader.*
     tb/scene/plan_rows.*

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "tb/judge/picture_errors.h"
+#include "tb/judge/reference_picture.h"
 #include "tb/sweep/model_hash.h"
 #include "tb/sweep/row_digest.h"
 #include "tb/sweep/store_errors.h"
@@ -178,12 +178,11 @@ std::map<int, std::string> Measurer::pictures(const Want& want) {
 }
 
 std::string Measurer::reference_key(const Block& block, int frame) const {
-  const bool base = block.reference == SweepReference::Base;
-  const knobs& look =
-      base ? plan_.points[0].k[static_cast<std::size_t>(block.scene)] : reference_knobs(block.k);
-  return text_hash(fmt::format("{} {} {} {}\n{}", model_hash("beam"), block.scene_hash, frame,
-                               reference_words()[static_cast<std::size_t>(block.reference)],
-                               point_text(look)));
+  const auto scene = static_cast<std::size_t>(block.scene);
+  const ReferencePicture reference(plan_.scenes[scene].show, block.reference, block.k,
+                                   plan_.points[0].k[scene]);
+  return text_hash(
+      fmt::format("{} {} {}\n{}", model_hash("beam"), block.scene_hash, frame, reference.key()));
 }
 
 void Measurer::prepare(Block& block) {

@@ -26,10 +26,7 @@ const std::vector<std::string>& goal_words() {
   return words;
 }
 
-const std::vector<std::string>& reference_words() {
-  static const std::vector<std::string> words = {"geometry", "trace4", "base"};
-  return words;
-}
+const std::vector<std::string>& reference_words() { return picture_reference_names(); }
 
 void narrow(SweepFile& file, const std::string& assignment) {
   knobs k;

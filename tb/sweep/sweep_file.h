@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tb/judge/reference_picture.h"
 #include "tb/scene/faults.h"
 #include "tb/sweep/goal.h"
 #include "tb/sweep/sweep_point.h"
@@ -42,7 +43,7 @@ struct SweepSearch {
   bool race = true;        ///< points that are surely dominated stop early
 };
 
-enum class SweepReference { Geometry, Trace4, Base };
+using SweepReference = PictureReference;
 
 struct SweepMeasure {
   bool causes = false;          ///< errors by cause

@@ -10,7 +10,9 @@
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
 #include "tb/bench/tlm_bench.h"
-#include "tb/judge/picture_errors.h"
+#include "tb/judge/error_causes.h"
+#include "tb/judge/reference_picture.h"
+#include "tb/judge/visible_error.h"
 #include "tb/show/open_show.h"
 #include "tb/sweep/block.h"
 #include "tb/sweep/columns.h"
@@ -82,7 +84,7 @@ class Worker {
       const auto& bins = rendered.stats->histograms[i];
       answer.frame.histograms[histograms[i].name] = {bins.begin(), bins.end()};
     }
-    if (block_.causes) answer.frame.causes = causes_of(frame, colours);
+    if (block_.causes) answer.frame.causes = causes_of(frame, reference);
   }
 
   GoldenPicture reference_of(int frame, const GoldenPicture& colours, Answer& answer) {
@@ -97,18 +99,18 @@ class Worker {
     if (block_.reference == SweepReference::Base)
       throw std::runtime_error("the base's picture of frame " + std::to_string(frame) +
                                " is missing");
-    const GoldenPicture made = reference_picture(
-        block_.reference == SweepReference::Trace4 ? GoldenTracer::Trace4 : GoldenTracer::Geometry,
-        show_, frame, block_.k);
+    const GoldenPicture made =
+        ReferencePicture(show_, block_.reference, block_.k, block_.k).picture(frame);
     answer.reference = packed(bytes_of(made));
     return made;
   }
 
-  std::map<std::string, std::int64_t> causes_of(int frame, const GoldenPicture& colours) const {
-    const GoldenCounts counts = golden_compare(show_, frame, block_.k, colours).counts;
+  std::map<std::string, std::int64_t> causes_of(int frame, const GoldenPicture& reference) const {
+    const auto& names = error_causes(block_.reference);
+    const std::vector<int> pixels =
+        errors_by_cause(show_, frame, block_.k, block_.reference, reference);
     std::map<std::string, std::int64_t> causes;
-    for (std::size_t i = 0; i < golden_causes().size(); ++i)
-      causes[golden_causes()[i].name] = counts.by_cause[i];
+    for (std::size_t i = 0; i < names.size(); ++i) causes[names[i].name] = pixels[i];
     return causes;
   }
 
