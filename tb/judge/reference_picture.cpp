@@ -25,11 +25,6 @@ knobs reference_knobs(const Show& show, PictureReference reference, const knobs&
 
 }  // namespace
 
-const std::vector<std::string>& picture_reference_names() {
-  static const std::vector<std::string> names = {"geometry", "trace4", "base"};
-  return names;
-}
-
 ReferencePicture::ReferencePicture(const Show& show, PictureReference reference, const knobs& k,
                                    const knobs& base)
     : show_(show), reference_(reference), knobs_(reference_knobs(show, reference, k, base)) {}

@@ -13,15 +13,10 @@
 #include <vector>
 
 #include "tb/golden/golden_picture.h"
+#include "tb/judge/picture_reference.h"
 #include "tb/show/show.h"
 
 namespace racebeam {
-
-/// The golden tracers, or the base point's own chip.
-enum class PictureReference { Geometry, Trace4, Base };
-
-/// By PictureReference: "geometry", "trace4", "base".
-const std::vector<std::string>& picture_reference_names();
 
 class ReferencePicture {
  public:

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tb/judge/reference_picture.h"
+#include "tb/judge/picture_reference.h"
 #include "tb/scene/faults.h"
 #include "tb/sweep/goal.h"
 #include "tb/sweep/sweep_point.h"

@@ -60,13 +60,15 @@ TEST_P(CliSweepKillTest, ALastStoreIsThatOfAnUndisturbedRun) {
   EXPECT_TRUE(own.become(0)) << own.count() << " processes are left";
 }
 
+std::string name_of(const testing::TestParamInfo<Victim>& info) {
+  static const char* const names[] = {"Program", "Server", "Worker", "Any"};
+  return names[static_cast<std::size_t>(info.param)];
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, CliSweepKillTest,
                          testing::Values(Victim::Program, Victim::Server, Victim::Worker,
                                          Victim::Any),
-                         [](const auto& info) {
-                           const char* const names[] = {"Program", "Server", "Worker", "Any"};
-                           return names[static_cast<std::size_t>(info.param)];
-                         });
+                         name_of);
 
 }  // namespace
 }  // namespace racebeam

@@ -223,8 +223,8 @@ TEST_F(CliTest, WhatIsNoNumberIsRefusedWithTheRange) {
 }
 
 TEST_F(CliTest, TheBeginningOfANameIsCompleted) {
-  expect_refused({"render", "demo", "--set", "fifo=4"},
-                 {"unknown knob 'fifo'; did you mean 'fifo_entries'?"});
+  expect_refused({"render", "demo", "--set", "hurry=4"},
+                 {"unknown knob 'hurry'; did you mean 'hurry_threshold'?"});
   expect_refused({"render", "demo", "--set", "stack=4"}, {"did you mean 'face_stack_depth'?"});
   expect_refused({"render", "demo", "--fram", "4"}, {"did you mean '--frames'?"});
 }

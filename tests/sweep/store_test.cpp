@@ -215,8 +215,8 @@ TEST_F(StoreTest, NotesOfPointsAndRuns) {
 TEST_F(StoreTest, ViewHasTheMeansOfTheSampleAndFailedPointsToo) {
   OpenStore store(file);
   store.frames.put(store.key, {measured(1, 10), measured(2, 25), measured(3, 1000, true)});
-  const auto ids = store.points({{"a=1\n", "p1"}});
-  store.failures.put({store.key.model, store.key.scene, ids[0]}, "hangs");
+  const auto ids = store.points({{"dr_bits=10\nfifo_entries=10\n", "chip"}, {"a=1\n", "p1"}});
+  store.failures.put({store.key.model, store.key.scene, ids[1]}, "hangs");
   Statement view(store.database(),
                  "SELECT point, scene, frames, decisions, failure FROM points ORDER BY point");
   ASSERT_TRUE(view.next());
