@@ -14,34 +14,38 @@ namespace {
 
 constexpr int CrowdedFrame = 7223;  // open heights: a frame that starves much
 
-class ChipKnobs : public testing::TestWithParam<const char*> {};
-
-// A module that sleeps on an input that a knob makes matter would differ here.
-TEST_P(ChipKnobs, WiresGiveThePinsAndCountersOfTheCores) {
-  knobs k;
-  set_knob(k, GetParam());
-  SignalBench bench({k, true, true, false});
-  for (const int frame : {CrowdedFrame, 3900, 9500}) {
+/// The setting of one knob.
+class ChipKnobs : public testing::TestWithParam<const char*> {
+ protected:
+  static void expect_the_cores(int frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
+    knobs k;
+    set_knob(k, GetParam());
+    SignalBench bench({k, true, true, false});
     bench.seek(frame);
     const auto got = bench.render();
     const auto expected = CoreBench(k, frame).render();
     EXPECT_EQ(got.picture.pins_crc, expected.pins_crc);
     expect_equal(*got.stats, expected.stats);
   }
-}
+};
+using LongChipKnobs = ChipKnobs;
 
-INSTANTIATE_TEST_SUITE_P(
-    Settings, ChipKnobs,
-    testing::Values("interval_stack_depth=1", "interval_stack_depth=64", "face_stack_depth=4",
-                    "max_room_depth=5", "fifo_entries=3", "fifo_entries=64",
-                    "fifo_short_length_bits=3", "hurry_threshold=-1", "dr_bits=8", "dr_bits=13",
-                    "corner_bits=11", "corner_factor_bits=6", "corner_factor_bits=12",
-                    "partial_products_cut=0", "bisection=midpoint", "stepping=fraction",
-                    "interlace=off", "dithering=off", "clocks_per_pixel=1", "clocks_per_pixel=3",
-                    "skip_shared_edges=on", "speed=7", "head_start=320", "bisection=floor",
-                    "stepping=fraction_dr2", "ddr_fraction_bits=4", "corner_rounding=on",
-                    "fifo_merge=off"));
+// A module that sleeps on an input that a knob makes matter would differ here.
+TEST_P(ChipKnobs, WiresGiveThePinsAndCountersOfTheCores) { expect_the_cores(CrowdedFrame); }
+TEST_P(LongChipKnobs, WiresGiveThePinsAndCountersOfTheCoresInThePortals) { expect_the_cores(3900); }
+TEST_P(LongChipKnobs, WiresGiveThePinsAndCountersOfTheCoresInTheTunnel) { expect_the_cores(9500); }
+
+const auto Settings = testing::Values(
+    "interval_stack_depth=1", "interval_stack_depth=64", "face_stack_depth=4", "max_room_depth=5",
+    "fifo_entries=3", "fifo_entries=64", "fifo_short_length_bits=3", "hurry_threshold=-1",
+    "dr_bits=8", "dr_bits=13", "corner_bits=11", "corner_factor_bits=6", "corner_factor_bits=12",
+    "partial_products_cut=0", "bisection=midpoint", "stepping=fraction", "interlace=off",
+    "dithering=off", "clocks_per_pixel=1", "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7",
+    "head_start=320", "bisection=floor", "stepping=fraction_dr2", "ddr_fraction_bits=4",
+    "corner_rounding=on", "fifo_merge=off");
+INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs, Settings);
+INSTANTIATE_TEST_SUITE_P(LongSettings, LongChipKnobs, Settings);
 
 /// Statistics of a frame with one knob changed.
 frame_stats with(const char* setting, int frame = CrowdedFrame) {
