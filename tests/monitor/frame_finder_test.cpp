@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tb/monitor/vga_monitor.h"
 #include "tb/monitor/video_mode.h"
 
@@ -44,20 +46,25 @@ struct Chip {
     return static_cast<std::uint8_t>(pins_of_colour(colour) | (hsync == positive) << PinHsync |
                                      (vsync == positive) << PinVsync);
   }
-  std::vector<PinChange> changes(std::uint64_t clocks) const {
-    std::vector<PinChange> all;
-    for (std::uint64_t clock = 0; clock < clocks; ++clock) {
+  void add_changes(std::vector<PinChange>& all, std::uint64_t from, std::uint64_t to) const {
+    for (std::uint64_t clock = from; clock < to; ++clock) {
       const std::uint8_t now = pins(static_cast<std::int64_t>(clock));
       if (all.empty() || all.back().uo != now) all.push_back({clock, now, 0, 0});
     }
+  }
+  std::vector<PinChange> changes(std::uint64_t clocks) const {
+    std::vector<PinChange> all;
+    add_changes(all, 0, clocks);
     return all;
   }
   int frame() const { return rows * columns * clocks_per_pixel; }
   FoundFrames found() const {
+    std::vector<PinChange> all;
+    std::uint64_t known = 0;
     for (int quarter = 9;; quarter += 3) {
       const std::uint64_t clocks = static_cast<std::uint64_t>(frame()) * quarter / 4;
-      if (const auto result = find_frames(changes(clocks), clocks, clock_hz * clocks_per_pixel))
-        return *result;
+      add_changes(all, std::exchange(known, clocks), clocks);
+      if (const auto result = find_frames(all, clocks, clock_hz * clocks_per_pixel)) return *result;
     }
   }
   std::string complaint() const {
