@@ -37,6 +37,9 @@ struct line_info {
                         ///< it
   bool always;          ///< files have it even if no line does
   const char* title;    ///< for people, if the sum over lines says something; else ""
+  /// What a part of a line's clocks is spent on, for people: all such rows of a line add up to its
+  /// clocks; else "".
+  const char* part = "";
 };
 
 struct frame_counts {

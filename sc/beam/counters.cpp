@@ -48,6 +48,14 @@ const std::vector<line_row>& line_table() {
       {{"done_clock", "lines_not_done", true, ""}, &frame_stats::done_clock},
       {{"busy_clocks", "", false, "busy clocks"}, &frame_stats::busy_clocks},
       {{"stack_needed", "", false, ""}, &frame_stats::stack_needed},
+      {{"line_camera", "", true, "", "camera"}, &frame_stats::line_camera},
+      {{"line_decide", "", true, "", "decide"}, &frame_stats::line_decide},
+      {{"line_bisect", "", true, "", "bisect"}, &frame_stats::line_bisect},
+      {{"line_walk", "", true, "", "walk"}, &frame_stats::line_walk},
+      {{"line_enter", "", true, "", "enter"}, &frame_stats::line_enter},
+      {{"line_return", "", true, "", "return"}, &frame_stats::line_return},
+      {{"line_wait", "", true, "", "wait"}, &frame_stats::line_wait},
+      {{"line_idle", "", true, "", "idle"}, &frame_stats::line_idle},
   };
   return table;
 }

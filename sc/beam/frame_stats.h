@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,19 @@ inline std::uint64_t& bin_of(std::array<std::uint64_t, 65>& histogram, int value
   return histogram[static_cast<std::size_t>(value < 64 ? value : 64)];
 }
 
+/// What a clock of a line is spent on.
+enum line_part {
+  PartCamera,  ///< before the tracer starts
+  PartDecide,  ///< decisions at both ends of an interval
+  PartBisect,  ///< decisions between them
+  PartWalk,    ///< dr2 walks to the right end
+  PartEnter,   ///< the second clock of a room change, on the way down
+  PartReturn,  ///< from an accepted interval to the next one
+  PartWait,    ///< an interval is offered to a FIFO without room
+  PartIdle,    ///< the line is done; and the last clock, which resets all
+  LineParts
+};
+
 /// The same, and of each visible line clocks from its start, and the like.
 struct frame_stats : frame_counters {
   std::vector<int> camera_clocks;  ///< first clock of the tracer
@@ -50,6 +64,16 @@ struct frame_stats : frame_counters {
   std::vector<int> done_clock;     ///< first clock with line_done = 1; -1 if never
   std::vector<int> busy_clocks;    ///< tracer clocks before line_done
   std::vector<int> stack_needed;   ///< entries that an endless interval stack would have held
+  // Clocks by line_part: they add up to those of the line.
+  std::vector<int> line_camera, line_decide, line_bisect, line_walk, line_enter, line_return,
+      line_wait, line_idle;
+
+  /// Of the next line.
+  void add_line(const std::array<int, LineParts>& clocks) {
+    std::vector<int>* const lines[] = {&line_camera, &line_decide, &line_bisect, &line_walk,
+                                       &line_enter,  &line_return, &line_wait,   &line_idle};
+    for (std::size_t part = 0; part < clocks.size(); ++part) lines[part]->push_back(clocks[part]);
+  }
 
   frame_counters& counters() { return *this; }
   const frame_counters& counters() const { return *this; }

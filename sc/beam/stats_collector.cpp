@@ -15,12 +15,23 @@ bool is_decision(const chip_view& v) {
   return !returning && !v.second && !(v.state == StateLeft && v.idx2 != v.i2);
 }
 
+line_part part_of(const chip_view& v) {
+  if (v.line_end || (v.run && v.line_done)) return PartIdle;
+  if (!v.run) return PartCamera;
+  if (v.emit && !v.ack) return PartWait;
+  if (v.emit || v.state == StateReturn) return PartReturn;
+  if (v.second) return PartEnter;
+  if (!is_decision(v)) return PartWalk;
+  return v.state == StateBisect ? PartBisect : PartDecide;
+}
+
 void stats_collector::observe(const chip_view& v) {
   ++stats_.clocks;
   if (line_.clock == 0) visible_ = v.y >= FirstVisibleLine && v.y < FirstVisibleLine + VisibleRows;
   if (visible_) {
     if (v.consume) show(v);
     ++stats_.fifo_fill[v.fill];
+    ++line_.parts[part_of(v)];
     if (v.run) {
       if (line_.camera_clock < 0) line_.camera_clock = line_.clock;
       if (!v.line_done && !v.line_end) observe_tracer(v);
@@ -35,6 +46,7 @@ void stats_collector::observe(const chip_view& v) {
     stats_.done_clock.push_back(line_.done_clock);
     stats_.busy_clocks.push_back(line_.busy);
     stats_.stack_needed.push_back(line_.stack_needed);
+    stats_.add_line(line_.parts);
   }
   line_ = {};
 }

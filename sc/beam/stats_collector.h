@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "sc/base/constants.h"
 #include "sc/beam/chip_view.h"
 #include "sc/beam/frame_stats.h"
@@ -13,6 +15,9 @@ namespace racebeam {
 /// Whether the tracer takes a decision in this clock: neither returns, nor waits for a room change,
 /// nor walks to the right end of its interval (contract 19).
 bool is_decision(const chip_view& v);
+
+/// What the chip does with this clock of a line.
+line_part part_of(const chip_view& v);
 
 class stats_collector {
  public:
@@ -28,6 +33,7 @@ class stats_collector {
  private:
   /// What is known of a line while it is traced.
   struct line {
+    std::array<int, LineParts> parts{};
     int clock = 0, camera_clock = -1, first_emit = -1, done_clock = -1, busy = 0;
     int column = 0;                           // that is shown next
     int left = 0;                             // the left end's answer, with its signs

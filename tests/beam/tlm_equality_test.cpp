@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 
+#include "sc/beam/tlm/line_raster.h"
 #include "tb/bench/core_bench.h"
 #include "tb/bench/tlm_bench.h"
 #include "tb/scene/scene_reader.h"
@@ -32,6 +33,7 @@ void expect_frame_of_the_cores(TlmBench& bench, int frame, const knobs& k,
   EXPECT_EQ(got.picture.pins_crc, want.pins_crc);
   EXPECT_TRUE(got.picture.colours == want.colours);
   expect_equal(*got.stats, want.stats);
+  expect_whole_lines(*got.stats, line_raster(k).size());
 }
 
 class TlmDemoPart : public testing::TestWithParam<int> {};

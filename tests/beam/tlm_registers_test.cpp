@@ -61,6 +61,8 @@ TEST_F(TlmRegisters, ShowsTheStatisticsOfTheLastWholeFrame) {
   EXPECT_EQ(read_rows(RegisterDoneClock), want.done_clock);
   EXPECT_EQ(read_rows(RegisterBusyClocks), want.busy_clocks);
   EXPECT_EQ(read_rows(RegisterStackNeeded), want.stack_needed);
+  EXPECT_EQ(read_rows(RegisterLineParts + PartCamera * LinesPitch), want.line_camera);
+  EXPECT_EQ(read_rows(RegisterLineParts + PartIdle * LinesPitch), want.line_idle);
 }
 
 TEST_F(TlmRegisters, ResetRegisterStartsTheDemoAnewBeforeTheNextLine) {

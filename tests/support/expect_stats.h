@@ -30,6 +30,16 @@ inline void expect_equal(const frame_stats& a, const frame_stats& b) {
   EXPECT_EQ(a.busy_clocks, b.busy_clocks);
 }
 
+/// All parts of each line add up to its clocks.
+inline void expect_whole_lines(const frame_counts& counts, int clocks) {
+  for (std::size_t line = 0; line < counts.lines.at(0).size(); ++line) {
+    int all = 0;
+    for (std::size_t n = 0; n < line_table().size(); ++n)
+      if (*line_table()[n].info.part) all += counts.lines[n].at(line);
+    ASSERT_EQ(all, clocks) << "visible line " << line;
+  }
+}
+
 /// What was counted so.
 inline frame_stats stats_of(const frame_counts& counts) {
   frame_stats stats;

@@ -168,6 +168,10 @@ void chip_lines::count(const line_counts& c) {
   to.done_clock.push_back(c.done_clock);
   to.busy_clocks.push_back(c.clocks - c.stalls);
   to.stack_needed.push_back(c.stack_needed);
+  const int busy = c.clocks - c.stalls, returning = c.return_clocks - c.stalls;
+  to.add_line({c.camera_clock, c.left + c.right, c.bisect, c.adjust,
+               busy - returning - c.decisions() - c.adjust, returning, c.stalls,
+               raster_.size() - c.camera_clock - c.clocks});
 }
 
 // The pins of all clocks but the last.

@@ -50,6 +50,7 @@ enum register_address : std::uint64_t {
   RegisterDoneClock = 0x5000,
   RegisterBusyClocks = 0x5800,
   RegisterStackNeeded = 0x6000,
+  RegisterLineParts = 0x6800,  ///< in the order of line_part
 };
 constexpr std::uint64_t HistogramPitch = 0x400, LinesPitch = 0x800;
 constexpr std::uint32_t RegisterIdValue = 0x6d616562;  // "beam"
