@@ -114,6 +114,7 @@ int command_render(const RenderOptions& options) {
       [&] { return report.text(against.json()); });
   if (plan.json) print(report.text(against.json()));
   else if (report.frames() > 1) print(table_total(report));
+  if (!plan.json) print(line_account(report));
   if (!plan.json && report.golden()) print(golden_table(*report.golden()));
   const bool wrong_units = chip && report_locksteps(plan, options, chip->bench(), report.frames());
   const bool differs = against.report(plan.json) || wrong_units;

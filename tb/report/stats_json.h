@@ -1,8 +1,9 @@
-// The statistics of a run as JSON: stats.json, schema "racebeam-stats" version 1.
+// The statistics of a run as JSON: stats.json, schema "racebeam-stats" version 2.
 //
 // One object per frame and one for all frames together. Spreads over the visible lines are objects
-// {min, mean, max, ...} in clocks, or null if no line has a value; lines are counted as in the
-// contract, -240..239. "golden" is there if the chip was compared with the golden tracers,
+// {min, mean, max, sum, ...} in clocks, or null if no line has a value; lines are counted as in the
+// contract, -240..239. Those of the parts of a line, line_camera to line_idle, add up to all clocks
+// of the visible lines. "golden" is there if the chip was compared with the golden tracers,
 // "against" if with a reference.
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -17,21 +18,11 @@
 
 #include "sc/base/engine.h"
 #include "sc/beam/knobs.h"
-#include "tb/base/spread.h"
 #include "tb/judge/golden_compare.h"
 #include "tb/monitor/vga_monitor.h"
+#include "tb/report/counts_json.h"
 
 namespace racebeam {
-
-/// A clock of each line, of one or more frames.
-struct LineSpread {
-  Spread clocks;
-  int without = 0;                                  ///< lines in which it never came
-  int worst_frame = 0, worst_line = 0, worst = -1;  ///< the line with the largest
-
-  /// -1: it never came.
-  void add(int frame, const std::vector<int>& lines);
-};
 
 class StatsReport {
  public:
@@ -49,14 +40,14 @@ class StatsReport {
   const engine& counter() const { return engine_; }
   /// The sums of all counters and histograms.
   const frame_counts& sums() const { return sums_; }
-  /// The sums over all lines, by engine::lines.
-  std::vector<std::uint64_t> line_sums() const;
+  /// Over all lines, by engine::lines.
+  const std::vector<LineSpread>& lines() const { return lines_; }
   /// The sums of the comparisons, if there were any.
   const std::optional<GoldenCounts>& golden() const { return golden_; }
 
  private:
-  nlohmann::ordered_json json_of_counts(const frame_counts& counts) const;
-  nlohmann::ordered_json json_of_lines(const std::vector<LineSpread>& lines, bool whole_run) const;
+  nlohmann::ordered_json json_of(const frame_counts& counts, const std::vector<LineSpread>& lines,
+                                 bool whole_run) const;
 
   const engine& engine_;
   const std::string scene_, level_;

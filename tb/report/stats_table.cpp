@@ -57,9 +57,24 @@ std::string table_row(const engine& counter, int frame, const std::string& part,
 }
 
 std::string table_total(const StatsReport& report) {
+  std::vector<std::uint64_t> sums;
+  for (const LineSpread& line : report.lines()) sums.push_back(line.clocks.sum());
   return row(report.counter(), "total", fmt::format("{} frames", report.frames()), report.sums(),
-             report.line_sums()) +
+             sums) +
          golden_column(report.golden()) + "\n";
+}
+
+std::string line_account(const StatsReport& report) {
+  std::string text;
+  double all = 0;
+  for (std::size_t n = 0; n < report.lines().size(); ++n) {
+    const Spread& clocks = report.lines()[n].clocks;
+    const std::string part = report.counter().lines[n].part;
+    if (part.empty() || clocks.count() == 0) continue;
+    text += fmt::format("{} {:.1f}, ", part, clocks.mean());
+    all += clocks.mean();
+  }
+  return text.empty() ? "" : fmt::format("clocks of a line: {}in all {:.0f}\n", text, all);
 }
 
 std::string golden_table(const GoldenCounts& counts) {

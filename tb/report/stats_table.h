@@ -21,6 +21,9 @@ std::string table_row(const engine& counter, int frame, const std::string& part,
                       const std::optional<GoldenCounts>& golden = {});
 /// The sums over all frames.
 std::string table_total(const StatsReport& report);
+/// "clocks of a line: camera 51.1, ..., in all 1600": what a visible line's clocks are spent on, on
+/// average; "" if the engine does not say.
+std::string line_account(const StatsReport& report);
 
 /// Of a comparison: pixels that differ from each tracer, and why; what the colours of
 /// difference_NNNN.png mean.

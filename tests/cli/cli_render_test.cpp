@@ -123,6 +123,24 @@ TEST_F(CliRenderTest, UseNeedsTheWiresOfTheSignalLevel) {
   EXPECT_THAT(refused.err(), testing::HasSubstr("--level signal"));
 }
 
+TEST_F(CliRenderTest, PartsOfALineAddUpToItsClocks) {
+  for (const char* level : {"tlm", "signal"}) {
+    Program program(folder.path(),
+                    {"render", "demo", "--first", "7223", "--level", level, "--stats", "a.json"});
+    ASSERT_EQ(program.wait(), 0) << program.err();
+    EXPECT_THAT(program.out(), testing::ContainsRegex("\nclocks of a line: camera [0-9.]+, .*, "
+                                                      "idle [0-9.]+, in all 1600\n"));
+    const json total = parse("a.json").at("total");
+    long all = 0;
+    for (const char* part :
+         {"camera", "decide", "bisect", "walk", "enter", "return", "wait", "idle"})
+      all += total.at("line_" + std::string(part)).at("sum").get<long>();
+    EXPECT_EQ(all, 480 * 1600);
+    EXPECT_EQ(total.at("line_wait").at("sum"), total.at("fifo_full_stalls"));
+    EXPECT_EQ(total.at("line_bisect").at("sum"), total.at("bisection_steps"));
+  }
+}
+
 TEST_F(CliRenderTest, StatisticsAddUp) {
   Program program(folder.path(), {"render", "demo", "--frames", "2", "--first", "1", "--every",
                                   "2999", "--crc", "--json", "--stats", "a.json"});
@@ -130,7 +148,7 @@ TEST_F(CliRenderTest, StatisticsAddUp) {
   const json stats = program.json();
   EXPECT_EQ(stats, parse("a.json"));
   EXPECT_EQ(stats.at("schema"), "racebeam-stats");
-  EXPECT_EQ(stats.at("version"), 1);
+  EXPECT_EQ(stats.at("version"), 2);
   EXPECT_EQ(stats.at("level"), "tlm");
   EXPECT_EQ(frame_numbers(stats), (std::vector<int>{1, 3000}));
   const json& first = stats.at("frames")[0];

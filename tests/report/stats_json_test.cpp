@@ -8,6 +8,7 @@
 
 #include "sc/beam/counters.h"
 #include "sc/beam/engine.h"
+#include "tb/report/stats_table.h"
 
 namespace racebeam {
 namespace {
@@ -56,9 +57,10 @@ TEST(StatsReportTest, LinesWithoutAValueAreCountedNotAveraged) {
   const json frame = report_of(report).at("frames")[0];
   EXPECT_EQ(frame.at("decisions"), 10);
   EXPECT_EQ(frame.at("fifo_fill").size(), 11);
-  EXPECT_EQ(frame.at("camera_clocks"), (json{{"min", 47}, {"mean", 48.5}, {"max", 50}}));
+  EXPECT_EQ(frame.at("camera_clocks"),
+            (json{{"min", 47}, {"mean", 48.5}, {"max", 50}, {"sum", 97}}));
   EXPECT_EQ(frame.at("first_emit_clock"),
-            (json{{"min", 60}, {"mean", 60.0}, {"max", 60}, {"lines_without", 1}}));
+            (json{{"min", 60}, {"mean", 60.0}, {"max", 60}, {"sum", 60}, {"lines_without", 1}}));
   EXPECT_EQ(frame.at("done_clock").at("lines_not_done"), 2);
   EXPECT_TRUE(frame.at("done_clock").at("min").is_null());
   EXPECT_EQ(frame.count("image_crc32"), 0);
@@ -88,6 +90,26 @@ TEST(StatsReportTest, AnEngineMayCountNothingButItsOwnCounters) {
   const json document = report_of(report);
   EXPECT_EQ(document.at("frames")[1], (json{{"frame", 0}, {"part", ""}, {"words", 4}}));
   EXPECT_EQ(document.at("total"), (json{{"frames", 2}, {"words", 7}}));
+}
+
+TEST(StatsReportTest, PartsOfALineAreTold) {
+  frame_stats stats;
+  stats.add_line({50, 100, 60, 10, 20, 60, 300, 1000});
+  stats.add_line({52, 100, 60, 10, 20, 60, 0, 1298});
+  StatsReport report(beam_engine(), "demo", "signal", {});
+  EXPECT_EQ(line_account(report), "");
+  report.add(9, "pillars", counted(stats), {}, false);
+  EXPECT_EQ(line_account(report),
+            "clocks of a line: camera 51.0, decide 100.0, bisect 60.0, walk 10.0, enter 20.0, "
+            "return 60.0, wait 150.0, idle 1149.0, in all 1600\n");
+  EXPECT_EQ(report_of(report).at("total").at("line_idle"),
+            (json{{"min", 1000}, {"mean", 1149.0}, {"max", 1298}, {"sum", 2298}}));
+}
+
+TEST(StatsReportTest, TheSchemaHasAVersion) {
+  const json document = report_of(StatsReport(beam_engine(), "demo", "signal", {}));
+  EXPECT_EQ(document.at("schema"), "racebeam-stats");
+  EXPECT_EQ(document.at("version"), 2);
 }
 
 TEST(StatsReportTest, CrcsAreEightHexDigits) {
