@@ -6,6 +6,7 @@
 
 #include "tb/golden/geometry.h"
 #include "tb/golden/tracer_2.h"
+#include "tb/golden/tracer_3.h"
 #include "tb/golden/tracer_4.h"
 
 namespace racebeam {
@@ -43,15 +44,23 @@ GoldenRays whole(const GoldenIdeal& camera) {
   return rays;
 }
 
+/// A line of a tracer that takes the chip's rays.
+GoldenHits traced_line(GoldenTracer tracer, const GoldenWorld& world, const GoldenRays& rays, int y,
+                       GoldenWork* work) {
+  if (tracer == GoldenTracer::Trace2) return trace_2_line(world, rays, y, work);
+  if (tracer == GoldenTracer::Trace3) return trace_3_line(world, rays, y, work);
+  return trace_4_line(world, rays, y, work);
+}
+
 }  // namespace
 
 const std::vector<std::string>& golden_tracer_names() {
-  static const std::vector<std::string> names = {"trace2", "trace4", "geometry"};
+  static const std::vector<std::string> names = {"trace2", "trace4", "geometry", "trace3"};
   return names;
 }
 
 GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
-                             const GoldenCamera& camera) {
+                             const GoldenCamera& camera, GoldenWork* work) {
   GoldenPicture picture;
   picture.reserve(VisibleColumns * VisibleRows);
   for (int y = FirstVisibleLine; y < FirstVisibleLine + VisibleRows; ++y) {
@@ -60,10 +69,11 @@ GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
     if (!is_ideal) rays = camera.rays(y);
     else if (world.lock != GoldenLock::None) rays = whole(camera.ideal(y));
     GoldenHits hits{};
+    const std::uint64_t clocks = work ? work->clocks : 0;
     if (world.lock != GoldenLock::Full)
-      hits = is_ideal                         ? geometry_line(world, camera.ideal(y), y)
-             : tracer == GoldenTracer::Trace2 ? trace_2_line(world, rays, y)
-                                              : trace_4_line(world, rays, y);
+      hits = is_ideal ? geometry_line(world, camera.ideal(y), y)
+                      : traced_line(tracer, world, rays, y, work);
+    if (work) work->line_clocks.push_back(static_cast<int>(work->clocks - clocks));
     for (int column = 0; column < VisibleColumns; ++column)
       picture.push_back(shown(world, rays[column], column ? &hits[column - 1] : nullptr, y));
   }

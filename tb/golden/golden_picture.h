@@ -1,7 +1,7 @@
 // Pictures by the golden tracers, as the chip would show them.
 //
 // A golden tracer says for each pixel which wall its ray hits; the rest is done here once for all
-// three: shading, palette, inversion, and the chip's way of showing a line: pixel i in column i +
+// of them: shading, palette, inversion, and the chip's way of showing a line: pixel i in column i +
 // 1, column 0 with index 0, pixel 639 never (contract 14). Frames with the ray pattern
 // (contract 17.4): full lock shows in column p the pattern of pixel p; partial lock shows it in the
 // columns whose ray says so, and in the others the rooms as if the line had been traced
@@ -42,14 +42,17 @@ struct GoldenEnd {
 /// 640 x 480 colours, row by row, r * 16 + g * 4 + b.
 using GoldenPicture = std::vector<std::uint8_t>;
 
-enum class GoldenTracer { Trace2, Trace4, Geometry };
+/// The last one shows what the first one shows, and counts otherwise.
+enum class GoldenTracer { Trace2, Trace4, Geometry, Trace3 };
 
-/// By GoldenTracer: "trace2", "trace4", "geometry".
+/// By GoldenTracer: "trace2", "trace4", "geometry", "trace3".
 const std::vector<std::string>& golden_tracer_names();
 
-/// What a tracer makes of a world seen from a frame's camera.
+struct GoldenWork;
+
+/// What a tracer makes of a world seen from a frame's camera; adds to `work` if there is one.
 GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
-                             const GoldenCamera& camera);
+                             const GoldenCamera& camera, GoldenWork* work = nullptr);
 
 /// Pixels in which two pictures differ.
 int golden_difference(const GoldenPicture& a, const GoldenPicture& b);

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "tb/golden/golden_picture.h"
+#include "tb/golden/golden_work.h"
 
 namespace racebeam {
 
@@ -27,7 +27,8 @@ struct GoldenWay {
 };
 GoldenWay trace_2_way(const GoldenWorld& world, const vec3& dr, int offset_z);
 
-/// All pixels of line `y`.
-GoldenHits trace_2_line(const GoldenWorld& world, const GoldenRays& rays, int y);
+/// All pixels of line `y`; adds to `work` if there is one.
+GoldenHits trace_2_line(const GoldenWorld& world, const GoldenRays& rays, int y,
+                        RayWork* work = nullptr);
 
 }  // namespace racebeam

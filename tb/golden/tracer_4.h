@@ -10,12 +10,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tb/golden/golden_picture.h"
+#include "tb/golden/golden_work.h"
 
 namespace racebeam {
 
-/// All pixels of line `y`.
-GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y);
+/// All pixels of line `y`. Adds to `work` if there is one, and then looks at every pixel of every
+/// interval for switches: a question that is asked anew after a return counts once.
+GoldenHits trace_4_line(const GoldenWorld& world, const GoldenRays& rays, int y,
+                        IntervalWork* work = nullptr);
 
 /// The same with the rooms.
 std::array<GoldenEnd, VisibleColumns> trace_4_ends(const GoldenWorld& world, const GoldenRays& rays,

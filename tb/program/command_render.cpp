@@ -184,8 +184,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
       "trace` has windows and registers");
   command
       .add_option("--golden", options.golden,
-                  "trace2, trace4, geometry: render with this golden tracer instead of the chip; "
-                  "compare: both, and why they differ")
+                  "trace2, trace3, trace4, geometry: render with this golden tracer instead of the "
+                  "chip, and count its work; compare: the chip, and why they differ")
       ->type_name("TRACER")
       ->check(not_empty());
   command

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/render/render_golden.h"
 
-#include <fmt/format.h>
 #include <zlib.h>
 
 #include "sc/base/constants.h"
@@ -12,21 +11,21 @@
 #include "tb/base/progress.h"
 #include "tb/render/frame_sequence.h"
 #include "tb/render/render_files.h"
-#include "tb/report/golden_json.h"
+#include "tb/report/tracer_table.h"
 #include "tb/show/demo_parts.h"
 
 namespace racebeam {
 
 namespace {
 
-constexpr const char* Row = "{:>5}  {:<32} {:>10}  {:<8}\n";
-
 RenderedFrame render_frame(const RenderPlan& plan, int index) {
   RenderedFrame rendered;
   const int frame = rendered.number = plan.frames.number(index);
   VgaFrame& picture = rendered.picture;
+  GoldenWork work;
   picture.colours = golden_picture(*plan.tracer, plan.show.golden_world(frame, plan.k),
-                                   plan.show.golden_camera(frame));
+                                   plan.show.golden_camera(frame), &work);
+  rendered.stats = counted(*plan.tracer, work);
   picture.image_crc = static_cast<std::uint32_t>(
       crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));
   if (plan.pictures()) rendered.files.push_back(picture_file(plan, frame, picture));
@@ -49,17 +48,17 @@ void render_frames(const RenderPlan& plan, FrameSequence& frames, RenderFiles& f
                    GoldenFrames& report) {
   Progress progress(plan.frames.count());
   progress.draw(0, 0);
-  if (!plan.json) print(fmt::format(Row, "frame", "part", "intervals", "image"));
+  if (!plan.json) print(tracer_header(report.tables()));
   for (int i = 0; i < plan.frames.count() && !interrupted(); ++i) {
     const std::optional<RenderedFrame> frame = frames.next();
     if (!frame) break;
     const std::string part = plan.show.part(frame->number);
     files.add(*frame, part);
-    report.add(frame->number, part, frame->picture, plan.crc);
+    report.add(frame->number, part, frame->stats, frame->picture, plan.crc);
     progress.clear();
     if (!plan.json)
-      print(fmt::format(Row, frame->number, part, stretches(frame->picture),
-                        fmt::format("{:08x}", frame->picture.image_crc)));
+      print(tracer_row(report.tables(), frame->number, part, frame->stats,
+                       stretches(frame->picture), frame->picture));
     progress.draw(i + 1, 0);
   }
   progress.clear();
@@ -69,14 +68,15 @@ void render_frames(const RenderPlan& plan, FrameSequence& frames, RenderFiles& f
 
 int render_golden(const RenderPlan& plan) {
   RenderFiles files(plan, plan.manifest());
-  GoldenFrames report(plan.show.name(), golden_tracer_names()[static_cast<int>(*plan.tracer)],
-                      plan.k);
+  GoldenFrames report(plan.show.name(), *plan.tracer, plan.k);
   FrameSequence frames(plan.jobs, plan.frames.count(), [&]() -> FrameSequence::Render {
     return [&](int index) { return render_frame(plan, index); };
   });
   files.run([&] { render_frames(plan, frames, files, report); }, nullptr,
             [&] { return report.text(); });
   if (plan.json) print(report.text());
+  else if (report.frames() > 1) print(tracer_total(report));
+  if (!plan.json) print(tracer_summary(report));
   const bool whole = report.frames() == plan.frames.count();
   tell((whole ? "wrote " : "stopped early; kept ") + files.summary());
   return whole ? ExitGood : ExitInterrupted;

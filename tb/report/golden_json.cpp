@@ -22,22 +22,42 @@ Json golden_json(const GoldenCounts& counts) {
   return {{"differing_pixels", differing}, {"causes", causes}};
 }
 
-GoldenFrames::GoldenFrames(std::string scene, std::string tracer, const knobs& k)
-    : scene_(std::move(scene)), tracer_(std::move(tracer)), knobs_(k) {}
+GoldenFrames::GoldenFrames(std::string scene, GoldenTracer tracer, const knobs& k)
+    : scene_(std::move(scene)),
+      tracer_(tracer),
+      tables_(golden_tables(tracer)),
+      knobs_(k),
+      lines_(tables_.lines.size()) {
+  sums_.counters.resize(tables_.counters.size());
+  sums_.histograms.resize(tables_.histograms.size());
+}
 
-void GoldenFrames::add(int frame, const std::string& part, const VgaFrame& picture, bool crc) {
+void GoldenFrames::add(int frame, const std::string& part, const frame_counts& counts,
+                       const VgaFrame& picture, bool crc) {
+  std::vector<LineSpread> lines(lines_.size());
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    lines[n].add(frame, counts.lines[n]);
+    lines_[n].add(frame, counts.lines[n]);
+  }
   Json json = {{"frame", frame}, {"part", part}};
+  json.update(counts_json(tables_.counters, tables_.histograms, knobs_, counts));
+  json.update(lines_json(tables_.lines, lines, false));
   if (crc) json["image_crc32"] = fmt::format("{:08x}", picture.image_crc);
   frames_.push_back(json.dump());
+  sums_.add(counts);
 }
 
 std::string GoldenFrames::text() const {
+  Json total = {{"frames", frames()}};
+  total.update(counts_json(tables_.counters, tables_.histograms, knobs_, sums_));
+  total.update(lines_json(tables_.lines, lines_, true));
   std::string rows;
   for (const std::string& frame : frames_) rows += (rows.empty() ? "\n" : ",\n") + frame;
   return fmt::format(
-      "{{\"schema\": \"racebeam-golden\", \"version\": 1,\n\"scene\": {}, \"tracer\": {},\n"
-      "\"knobs\": {},\n\"frames\": [{}],\n\"total\": {{\"frames\":{}}}}}\n",
-      Json(scene_).dump(), Json(tracer_).dump(), knobs_json(knobs_).dump(), rows, frames());
+      "{{\"schema\": \"racebeam-golden\", \"version\": 2,\n\"scene\": {}, \"tracer\": {},\n"
+      "\"knobs\": {},\n\"frames\": [{}],\n\"total\": {}}}\n",
+      Json(scene_).dump(), Json(golden_tracer_names()[static_cast<int>(tracer_)]).dump(),
+      knobs_json(knobs_).dump(), rows, total.dump());
 }
 
 }  // namespace racebeam

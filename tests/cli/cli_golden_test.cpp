@@ -22,7 +22,7 @@ class CliGoldenTest : public testing::Test {
 
 TEST_F(CliGoldenTest, RendersWithATracerInsteadOfTheChip) {
   std::set<std::string> pictures;
-  for (const std::string tracer : {"trace2", "trace4", "geometry"}) {
+  for (const std::string tracer : {"trace2", "trace3", "trace4", "geometry"}) {
     Program program(folder.path(), {"render", "demo", "--first", "9279", "--frames", "2", "--crc",
                                     "--golden", tracer, "-o", tracer, "--gif", tracer + ".gif"});
     ASSERT_EQ(program.wait(), 0) << program.err();
@@ -35,13 +35,54 @@ TEST_F(CliGoldenTest, RendersWithATracerInsteadOfTheChip) {
     const json stats = parse(tracer + "/stats.json");
     EXPECT_EQ(stats.at("schema"), "racebeam-golden");
     EXPECT_EQ(stats.at("tracer"), tracer);
-    EXPECT_EQ(stats.at("total"), (json{{"frames", 2}}));
+    EXPECT_EQ(stats.at("version"), 2);
+    EXPECT_EQ(stats.at("total").at("frames"), 2);
     EXPECT_EQ(stats.at("frames")[1].at("frame"), 9280);
-    EXPECT_EQ(stats.at("frames")[1].count("decisions"), 0u) << "there is no chip";
+    EXPECT_EQ(stats.at("frames")[1].count("restarts"), 0u) << "there is no chip";
     EXPECT_EQ(parse(tracer + "/manifest.json").at("level"), "golden " + tracer);
     pictures.insert(stats.at("frames")[0].at("image_crc32").get<std::string>());
   }
-  EXPECT_EQ(pictures.size(), 3u) << "each tracer has its own picture";
+  EXPECT_EQ(pictures.size(), 3u) << "trace3 shows what trace2 shows";
+}
+
+TEST_F(CliGoldenTest, TellsWhatRaysCostOneByOne) {
+  json totals[2];
+  for (const int clocked : {0, 1}) {
+    const std::string tracer = clocked ? "trace3" : "trace2";
+    Program program(folder.path(), {"render", "demo", "--first", "7167", "--frames", "2", "--jobs",
+                                    "2", "--golden", tracer, "--stats", tracer + ".json"});
+    ASSERT_EQ(program.wait(), 0) << program.err();
+    const json total = totals[clocked] = parse(tracer + ".json").at("total");
+    EXPECT_EQ(total.at("rays"), 2 * 640 * 480);
+    EXPECT_EQ(total.at("crossing_decisions"), 6 * total.at("rooms_entered").get<int>());
+    EXPECT_EQ(total.at("solid_decisions"), 2 * total.at("solid_hits").get<int>());
+    EXPECT_THAT(program.out(), HasSubstr(" a ray, 6.00 a room crossed, 2.00 at a solid wall\n"));
+    EXPECT_THAT(program.out(),
+                testing::ContainsRegex("total  2 frames +" + total.at("decisions").dump() + " +" +
+                                       total.at("rooms_entered").dump()));
+  }
+  EXPECT_EQ(totals[0].at("decisions"), totals[1].at("decisions"));
+  EXPECT_EQ(totals[0].count("clocks"), 0u);
+  const json& lines = totals[1].at("line_clocks");
+  EXPECT_EQ(lines.at("sum"), totals[1].at("clocks"));
+  EXPECT_GT(lines.at("min"), 1600) << "no line is in time";
+}
+
+TEST_F(CliGoldenTest, TellsHowOftenEdgesSwitch) {
+  Program program(folder.path(),
+                  {"render", "demo", "--first", "9500", "--golden", "trace4", "--stats", "a.json"});
+  ASSERT_EQ(program.wait(), 0) << program.err();
+  const json total = parse("a.json").at("total");
+  const json& switches = total.at("switches");
+  EXPECT_EQ(switches.size(), 17u);
+  EXPECT_GT(switches[1], 0);
+  int edges = 0;
+  for (std::size_t n = 1; n < switches.size(); ++n) edges += switches[n].get<int>();
+  EXPECT_EQ(total.at("edges"), edges);
+  EXPECT_EQ(total.at("chattering_edges"), edges - switches[1].get<int>());
+  EXPECT_THAT(program.out(), HasSubstr("edges that switch more than once along a line: " +
+                                       total.at("chattering_edges").dump() + " of " +
+                                       total.at("edges").dump() + ", "));
 }
 
 TEST_F(CliGoldenTest, ComparesTheChipAndSaysWhy) {
@@ -93,7 +134,7 @@ TEST_F(CliGoldenTest, RefusesWhatItCannotDo) {
     EXPECT_THAT(program.err(), HasSubstr(why));
     EXPECT_TRUE(fs::is_empty(folder.path()));
   };
-  expect_refused({"--golden", "trace3"}, "unknown golden tracer 'trace3'");
+  expect_refused({"--golden", "trace5"}, "unknown golden tracer 'trace5'");
   expect_refused({"--golden", "comprae"}, "did you mean 'compare'?");
   expect_refused({"--golden"}, "--golden");
   expect_refused({"--golden", ""}, "an empty name");

@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <regex>
 
+#include "sc/beam/engine.h"
 #include "sc/beam/knobs.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
+#include "tb/golden/golden_work.h"
 #include "tb/picture/picture_format.h"
 #include "tb/scene/scene_keys.h"
 #include "tb/scene/scene_reader.h"
@@ -118,6 +120,24 @@ TEST(Docs, ListsEveryPictureFormat) {
   for (const PictureFormat& format : picture_formats())
     EXPECT_THAT(page("docs/render.md"),
                 HasSubstr("\n| `" + std::string(format.name) + "` | " + format.note + " |\n"));
+}
+
+TEST(Docs, ListsEveryCounter) {
+  const std::string text = page("docs/render.md");
+  const auto expect_listed = [&](const auto& rows) {
+    for (const auto& row : rows)
+      EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`")) << row.name;
+  };
+  const engine& beam = beam_engine();
+  expect_listed(beam.counters);
+  expect_listed(beam.histograms);
+  expect_listed(beam.lines);
+  for (const auto tracer : {GoldenTracer::Trace2, GoldenTracer::Trace3, GoldenTracer::Trace4}) {
+    const GoldenTables tables = golden_tables(tracer);
+    expect_listed(tables.counters);
+    expect_listed(tables.histograms);
+    expect_listed(tables.lines);
+  }
 }
 
 TEST(Docs, ExampleSceneIsGood) {
