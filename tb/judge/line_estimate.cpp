@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sc/beam/tlm/line_raster.h"
 #include "tb/base/spread_frames.h"
 #include "tb/golden/tracer_4.h"
 
@@ -20,6 +21,7 @@ namespace {
 // error by 0.5 % and are left out; so is what the chip's cut products change.
 constexpr double QuestionClocks = 2.21;
 constexpr double ProbeClocks = 1.56;
+constexpr int CameraClocks = 70;
 
 // Some frames and lines first, then from the worst of these frames on to worse neighbours, then
 // all lines of the last. In the six scenes that finds the worst line of all frames within 0.5 %;
@@ -62,8 +64,11 @@ LineEstimate estimate_frame(const Show& show, int frame, const knobs& k, int lin
   return worst;
 }
 
-LineEstimate estimate_worst_line(const Show& show) {
-  const knobs k = show.standard_knobs();
+int LineEstimate::budget(const knobs& k) {
+  return line_raster(k).size() - CameraClocks - k.head_start;
+}
+
+LineEstimate estimate_worst_line(const Show& show, const knobs& k) {
   std::vector<LineEstimate> coarse;
   for (const int frame : spread_frames(show.frames(), Frames))
     coarse.push_back(estimate_frame(show, frame, k, FirstLines));

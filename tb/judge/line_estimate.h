@@ -10,8 +10,9 @@
 namespace racebeam {
 
 struct LineEstimate {
-  /// Clocks from the tracer's start, which varies by some 15, to the end of the line.
-  static constexpr int Budget = 1530;
+  /// Clocks from the tracer's start, which varies by some 15, to the end of the line: 1530 with the
+  /// chip's knobs.
+  static int budget(const knobs& k);
 
   int clocks = 0;     ///< that the tracer is busy, if the beam waits for it
   int intervals = 0;  ///< that the tracer cuts the line into
@@ -22,8 +23,8 @@ struct LineEstimate {
 /// is not counted.
 LineEstimate estimate_frame(const Show& show, int frame, const knobs& k, int lines = 1);
 
-/// The worst of some lines of some frames, with the standard knobs. Brief peaks are missed: see
-/// line_estimate.cpp.
-LineEstimate estimate_worst_line(const Show& show);
+/// The worst of some lines of some frames. Brief peaks are missed, and of the knobs only those
+/// count that golden_world() and the depth of the interval stack follow: see line_estimate.cpp.
+LineEstimate estimate_worst_line(const Show& show, const knobs& k);
 
 }  // namespace racebeam

@@ -21,18 +21,22 @@ namespace racebeam {
 int command_scene_notes(const SceneOptions& options) {
   catch_interrupts();
   std::vector<Show> shows;
+  std::vector<knobs> settings;
   int frames = 0, done = 0;
   for (const std::string& scene : options.scenes) {
     shows.push_back(open_show(scene));
+    settings.push_back(knobs_of(shows.back(), options.run.assignments));
     frames += std::min(options.frames, shows.back().frames());
   }
   OutputFile file(options.notes);
   Progress progress(frames);
-  std::string text = notes_head(options.scenes, options.frames);
+  std::string text = notes_head(options.scenes, options.run.set_text(), options.frames,
+                                LineEstimate::budget(settings.front()));
   int unexplained = 0;
-  for (const Show& show : shows) {
+  for (std::size_t n = 0; n < shows.size(); ++n) {
+    const Show& show = shows[n];
     progress.draw(done, 0);
-    SceneNotes notes(show);
+    SceneNotes notes(show, settings[n]);
     for (const int frame : spread_frames(show.frames(), options.frames)) {
       if (interrupted()) break;
       notes.add(frame);

@@ -18,6 +18,7 @@
 #include "tb/scene/scene_check.h"
 #include "tb/scene/scene_sight.h"
 #include "tb/scene/starter_scene.h"
+#include "tb/show/knobs_json.h"
 #include "tb/show/open_show.h"
 
 namespace racebeam {
@@ -33,9 +34,12 @@ nlohmann::ordered_json timeline(const SceneFile& scene) {
   return shots;
 }
 
-nlohmann::ordered_json summary(const SceneFile& scene) {
+nlohmann::ordered_json summary(const SceneFile& scene,
+                               const std::vector<std::string>& assignments) {
+  const Show show(scene, "");
+  const knobs k = knobs_of(show, assignments);
   const SceneWidths widths = scene_widths(scene);
-  const LineEstimate line = estimate_worst_line(Show(scene, ""));
+  const LineEstimate line = estimate_worst_line(show, k);
   return {{"schema", "racebeam-scene"},
           {"version", 1},
           {"name", scene.name},
@@ -47,15 +51,16 @@ nlohmann::ordered_json summary(const SceneFile& scene) {
           {"timeline", timeline(scene)},
           {"deepest_view", deepest_view(scene)},
           {"room_bits", widths.room_bits},
-          {"corner_bits", built_corner_bits(scene, widths)},
+          {"corner_bits", k.corner_bits},
           {"corner_bits_needed", widths.corner_bits},
           {"camera_bits", widths.camera_bits},
           {"worst_line",
            {{"clocks", line.clocks},
-            {"budget", LineEstimate::Budget},
+            {"budget", LineEstimate::budget(k)},
             {"intervals", line.intervals},
             {"frame", line.frame},
-            {"y", line.y}}}};
+            {"y", line.y}}},
+          {"knobs", knobs_json(k)}};
 }
 
 std::string table(const nlohmann::ordered_json& scene) {
@@ -100,7 +105,7 @@ int command_scene_check(const SceneOptions& options) {
 
 int command_scene_show(const SceneOptions& options) {
   const SceneFile scene = load_scene(options.file);
-  const nlohmann::ordered_json json = summary(scene);
+  const nlohmann::ordered_json json = summary(scene, options.run.assignments);
   using Json = nlohmann::ordered_json;
   print(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                      : table(json));
@@ -136,6 +141,7 @@ void add_notes_options(CLI::App& notes, SceneOptions& options) {
       ->required()
       ->type_name("FILE.md")
       ->check(not_empty());
+  add_set_option(notes, options.run);
   add_number(notes, "--frames", options.frames, "Frames of each scene, spread evenly over it",
              is_number_in("--frames", 1, 1000))
       ->capture_default_str();
@@ -163,9 +169,11 @@ Command scene_row() {
         };
         add_of_file("check", "SCENE", "List all faults with line, column and help",
                     command_scene_check);
-        add_of_file("show", "SCENE", "Counts, widths and an estimate of the worst line",
-                    command_scene_show)
-            ->add_flag("--json", options->json, "JSON on stdout instead of the text");
+        CLI::App* show =
+            add_of_file("show", "SCENE", "Counts, widths and an estimate of the worst line",
+                        command_scene_show);
+        add_set_option(*show, options->run);
+        show->add_flag("--json", options->json, "JSON on stdout instead of the text");
         add_of_file("plan", "SCENE", "Draw rooms, portals and the camera's way", command_scene_plan)
             ->add_option("-o,--output", options->picture, "Picture: FILE.png or FILE.svg")
             ->required()

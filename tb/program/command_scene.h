@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tb/program/command.h"
+#include "tb/show/run.h"
 
 namespace racebeam {
 
@@ -15,6 +16,7 @@ struct SceneOptions {
   std::string file;                 ///< the scene
   std::string picture;              ///< of `scene plan`
   bool json = false;                ///< of `scene show`
+  RunOptions run;                   ///< --set, of `scene show` and `scene notes`
   std::vector<std::string> scenes;  ///< of `scene notes`; may be "demo"
   std::string notes;                ///< file of `scene notes`
   int frames = 12;                  ///< of each scene, for `scene notes`
@@ -23,7 +25,7 @@ struct SceneOptions {
 /// "good: N rooms, M portals"; warnings go to stderr. This and the next two throw UsageError if the
 /// scene has faults.
 int command_scene_check(const SceneOptions& options);
-/// Counts, widths and an estimate of the worst line.
+/// Counts, widths and an estimate of the worst line with the knobs set.
 int command_scene_show(const SceneOptions& options);
 /// Views of the storeys from above and from the south, as PNG or SVG by the name. Throws
 /// OutputError.

@@ -22,7 +22,7 @@ constexpr const char* Head = R"(<!-- made by `racebeam scene notes`, do not edit
 
 racebeam {}: `{}`
 
-Up to {} frames spread evenly over each scene, by the chip's cores with its own knobs. The tracer has about {} clocks for a
+Up to {} frames spread evenly over each scene, by the chip's cores with its own knobs{}. The tracer has about {} clocks for a
 line; it is busy until it is done or the line ends. The estimate is the worst line of all frames and counts on beyond that. A
 frame with the ray pattern disturbs the tracer, but hides what it draws. A pixel that differs from `trace4`, the chip's way
 without its limits, has one cause: the first ones below add up. `trace2` knows no intervals, `geometry` no rounding, but the
@@ -54,10 +54,11 @@ std::string crossings(const CameraPath& path) {
   return text;
 }
 
-std::string facts(const Show& show) {
+std::string facts(const SceneNotes& notes) {
+  const Show& show = notes.show();
   const std::string time =
       fmt::format("{} frames, {:.1f} s", show.frames(), show.frames() / FramesPerSecond);
-  const int bits = show.standard_knobs().corner_bits;
+  const int bits = notes.set_knobs().corner_bits;
   if (!show.scene())
     return fmt::format(
         "The built-in demo: rooms from logic instead of a table, at most 1 portal in a face; {}; "
@@ -75,11 +76,11 @@ std::string facts(const Show& show) {
 }
 
 std::string frame_list(const SceneNotes& notes) {
-  const knobs k = notes.show().standard_knobs();
   std::string text;
   for (const int frame : notes.frames()) {
     text += (text.empty() ? "" : ", ") + std::to_string(frame);
-    if (notes.show().golden_world(frame, k).lock != GoldenLock::None) text += " (ray pattern)";
+    if (notes.show().golden_world(frame, notes.set_knobs()).lock != GoldenLock::None)
+      text += " (ray pattern)";
   }
   return text;
 }
@@ -96,8 +97,8 @@ std::string counters(const SceneNotes& notes) {
   const std::size_t frames = notes.frames().size();
   return "| counter | mean | worst | where |\n|---|--:|--:|---|\n" +
          fmt::format("| busy clocks of a line, of about {} | {:.1f} | {} | frame {}, y {} |\n",
-                     LineEstimate::Budget, busy.clocks.mean(), busy.worst, busy.worst_frame,
-                     busy.worst_line) +
+                     LineEstimate::budget(notes.set_knobs()), busy.clocks.mean(), busy.worst,
+                     busy.worst_frame, busy.worst_line) +
          fmt::format("| worst line, estimated | | {} | frame {}, y {} |\n", estimate.clocks,
                      estimate.frame, estimate.y) +
          counter("restarts in a frame", notes.restarts(), frames) +
@@ -126,19 +127,21 @@ std::string pixels(const SceneNotes& notes) {
 
 }  // namespace
 
-std::string notes_head(const std::vector<std::string>& scenes, int frames) {
+std::string notes_head(const std::vector<std::string>& scenes, const std::string& set, int frames,
+                       int budget) {
   std::string command = "racebeam scene notes";
   for (const std::string& scene : scenes) command += " " + word(scene);
-  command += fmt::format(" --frames {}", frames);
-  return fmt::format(Head, program_version(), command, frames, LineEstimate::Budget);
+  command += fmt::format("{} --frames {}", set, frames);
+  return fmt::format(Head, program_version(), command, frames,
+                     set.empty() ? "" : " but those set here", budget);
 }
 
 std::string notes_section(const SceneNotes& notes) {
   return fmt::format(
       "\n## {}\n\n{}\n\nFrames {}.\n\n{}\n{}\n"
       "With cut, shift, hurry and stack limits switched off: {} pixels differ from `trace4`.\n",
-      plain(notes.show().name()), facts(notes.show()), frame_list(notes), counters(notes),
-      pixels(notes), notes.unexplained());
+      plain(notes.show().name()), facts(notes), frame_list(notes), counters(notes), pixels(notes),
+      notes.unexplained());
 }
 
 }  // namespace racebeam

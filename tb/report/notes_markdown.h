@@ -13,8 +13,10 @@
 namespace racebeam {
 
 /// What comes before the first scene. `scenes` as on the command line; of a path the last part is
-/// named, so that the text does not depend on the machine.
-std::string notes_head(const std::vector<std::string>& scenes, int frames);
+/// named, so that the text does not depend on the machine. `set`: " --set knob=value" for
+/// each knob. `budget`: LineEstimate::budget().
+std::string notes_head(const std::vector<std::string>& scenes, const std::string& set, int frames,
+                       int budget);
 
 /// One scene.
 std::string notes_section(const SceneNotes& notes);

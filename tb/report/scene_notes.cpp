@@ -15,17 +15,17 @@ void FrameCounter::add(int frame, std::uint64_t value) {
   worst_frame = frame;
 }
 
-SceneNotes::SceneNotes(Show show) : show_(std::move(show)), estimate_(estimate_worst_line(show_)) {}
+SceneNotes::SceneNotes(Show show, const knobs& k)
+    : show_(std::move(show)), knobs_(k), estimate_(estimate_worst_line(show_, k)) {}
 
 void SceneNotes::add(int frame) {
-  const knobs k = show_.standard_knobs();
-  const CoreBench::Frame chip = CoreBench(k, frame, show_.program()).render();
+  const CoreBench::Frame chip = CoreBench(knobs_, frame, show_.program()).render();
   frames_.push_back(frame);
   busy_clocks_.add(frame, chip.stats.busy_clocks);
   restarts_.add(frame, chip.stats.restarts);
   starved_pixels_.add(frame, chip.stats.starved_pixels);
   give_ups_.add(frame, chip.stats.give_ups);
-  golden_ += golden_compare(show_, frame, k, chip.colours).counts;
+  golden_ += golden_compare(show_, frame, knobs_, chip.colours).counts;
 }
 
 }  // namespace racebeam

@@ -22,16 +22,17 @@ struct FrameCounter {
   void add(int frame, std::uint64_t value);
 };
 
-/// With the standard knobs, by the cores.
+/// By the cores.
 class SceneNotes {
  public:
   /// Estimates the worst line of all frames.
-  explicit SceneNotes(Show show);
+  SceneNotes(Show show, const knobs& k);
 
   /// Renders a frame and compares it with the golden tracers: takes seconds.
   void add(int frame);
 
   const Show& show() const { return show_; }
+  const knobs& set_knobs() const { return knobs_; }
   const std::vector<int>& frames() const { return frames_; }
   const LineEstimate& estimate() const { return estimate_; }
   const LineSpread& busy_clocks() const { return busy_clocks_; }
@@ -44,6 +45,7 @@ class SceneNotes {
 
  private:
   const Show show_;
+  const knobs knobs_;
   const LineEstimate estimate_;
   std::vector<int> frames_;
   LineSpread busy_clocks_;

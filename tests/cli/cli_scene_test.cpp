@@ -87,6 +87,31 @@ TEST_F(CliSceneTest, ShowCountsAsTextAndAsJson) {
   EXPECT_GT(summary["worst_line"]["clocks"], 0);
 }
 
+TEST_F(CliSceneTest, ShowEstimatesWithTheKnobsSet) {
+  write("a.toml", "frames = 60\nplan.storeys = \"@....\\n.#.#.\\n.....\"\n");
+  const auto show = [&](const Words& more) {
+    Words words = {"scene", "show", "a.toml", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(folder.path(), words);
+    EXPECT_EQ(program.wait(), 0) << program.err();
+    return program.json();
+  };
+  const nlohmann::json plain = show({});
+  const nlohmann::json shallow =
+      show({"--set", "interval_stack_depth=1", "--set", "clocks_per_pixel=3"});
+  EXPECT_EQ(plain["knobs"]["interval_stack_depth"], 4);
+  EXPECT_EQ(shallow["knobs"]["interval_stack_depth"], 1);
+  EXPECT_EQ(plain["worst_line"]["budget"], 1530);
+  EXPECT_EQ(shallow["worst_line"]["budget"], 2330);
+  EXPECT_GT(shallow["worst_line"]["clocks"], plain["worst_line"]["clocks"]);
+  EXPECT_EQ(show({"--set", "corner_bits=13"})["corner_bits"], 13);
+  for (const char* command : {"show", "check"}) {
+    Program refused(folder.path(), {"scene", command, "a.toml", "--set", "interval_stack_dept=1"});
+    EXPECT_EQ(refused.wait(), 2) << command;
+    EXPECT_EQ(refused.out(), "");
+  }
+}
+
 TEST_F(CliSceneTest, CheckWarnsOfWhatIsAllowedButHardlyMeant) {
   write("a.toml",
         "frames = 9\n[plan]\nstoreys = \"@#.\"\n[plan.cells]\nL = { height = 64 }\n"
@@ -193,6 +218,27 @@ TEST_F(CliSceneTest, NotesCountWhatRenderCounts) {
     EXPECT_THAT(text, HasSubstr("| `" + cause + "` | " + count(pixels) + " | "));
   for (const auto& [tracer, pixels] : golden["differing_pixels"].items())
     EXPECT_THAT(text, HasSubstr("| **chip, `" + tracer + "`** | " + count(pixels) + " | "));
+}
+
+TEST_F(CliSceneTest, NotesAreOfTheKnobsSet) {
+  Program chip(folder.path(), {"render", "demo", "--first", "6399", "--json", "--stats", "s.json",
+                               "--set", "interval_stack_depth=2"});
+  const nlohmann::json total = chip.json()["total"];
+  Program program(folder.path(), {"scene", "notes", "demo", "--set", "interval_stack_depth=2",
+                                  "--frames", "1", "-o", "n.md"});
+  EXPECT_EQ(program.wait(), 0) << program.err();
+  const std::string text = read_file(folder / "n.md");
+  EXPECT_THAT(text, HasSubstr("`racebeam scene notes demo --set interval_stack_depth=2 "
+                              "--frames 1`\n"));
+  EXPECT_THAT(text, HasSubstr("with its own knobs but those set here."));
+  const std::string restarts = total["restarts"].dump();
+  EXPECT_THAT(text, HasSubstr("| restarts in a frame | " + restarts + ".0 | " + restarts + " | "));
+  EXPECT_THAT(text, HasSubstr("limits switched off: 0 pixels differ from `trace4`.\n"));
+  Program refused(folder.path(),
+                  {"scene", "notes", "demo", "--set", "stack_depth=2", "-o", "no.md"});
+  EXPECT_EQ(refused.wait(), 2);
+  EXPECT_THAT(refused.err(), HasSubstr("stack_depth"));
+  EXPECT_FALSE(fs::exists(folder / "no.md"));
 }
 
 TEST_F(CliSceneTest, NotesOfAFaultySceneAreNotWritten) {

@@ -53,7 +53,7 @@ TEST_P(ShippedScene, WorstLineIsWithinTenPercentOfTheChip) {
   const Show show = shipped(GetParam());
   const knobs k = patient(show);
   std::vector<int> frames = spread_frames(show.frames(), Frames);
-  frames.push_back(estimate_worst_line(show).frame);
+  frames.push_back(estimate_worst_line(show, show.standard_knobs()).frame);
   for (const int frame : frames) {
     const auto lines = CoreBench(k, frame, show.program()).render().stats.busy_clocks;
     const int chip = *std::max_element(lines.begin(), lines.end());
@@ -63,7 +63,7 @@ TEST_P(ShippedScene, WorstLineIsWithinTenPercentOfTheChip) {
 
 TEST_P(ShippedScene, NoFrameLooksWorseThanTheWorst) {
   const Show show = shipped(GetParam());
-  const LineEstimate worst = estimate_worst_line(show);
+  const LineEstimate worst = estimate_worst_line(show, show.standard_knobs());
   constexpr int Others = 100;
   for (const int frame : spread_frames(show.frames(), Others)) {
     const LineEstimate line = estimate_frame(show, frame, show.standard_knobs());
@@ -75,13 +75,14 @@ TEST_P(ShippedScene, NoFrameLooksWorseThanTheWorst) {
 }
 
 TEST(LineEstimateTest, CountsWhatALineShows) {
-  const LineEstimate box = estimate_worst_line(show_of("plan.storeys = \"@\"\n"));
+  const Show room = show_of("plan.storeys = \"@\"\n");
+  const LineEstimate box = estimate_worst_line(room, room.standard_knobs());
   EXPECT_GE(box.intervals, 1);
   EXPECT_LE(box.intervals, 8) << "five faces, cut where a component of the ray changes its sign";
   EXPECT_LT(box.clocks, 200);
   const Show open =
       show_of("[plan]\nstoreys = \"\"\"\n@.....\n.#.#.#\n......\n.#.#.#\n......\n\"\"\"\n");
-  EXPECT_GT(estimate_worst_line(open).clocks, box.clocks);
+  EXPECT_GT(estimate_worst_line(open, open.standard_knobs()).clocks, box.clocks);
 }
 
 TEST(LineEstimateTest, AShallowStackCostsMore) {
@@ -91,6 +92,17 @@ TEST(LineEstimateTest, AShallowStackCostsMore) {
   const int standard = estimate_frame(show, frame, k).clocks;
   k.interval_stack_depth = 1;
   EXPECT_GT(estimate_frame(show, frame, k).clocks, standard);
+  EXPECT_GT(estimate_worst_line(show, k).clocks,
+            estimate_worst_line(show, show.standard_knobs()).clocks);
+}
+
+TEST(LineEstimateTest, TheBudgetIsTheLineFromTheTracersStart) {
+  knobs k;
+  EXPECT_EQ(LineEstimate::budget(k), 1530);
+  k.head_start = 320;
+  EXPECT_EQ(LineEstimate::budget(k), 1210);
+  k.clocks_per_pixel = 3;
+  EXPECT_EQ(LineEstimate::budget(k), 2010);
 }
 
 }  // namespace
