@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -13,6 +12,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
+#include "tb/sweep/unit_sources.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/run_tool.h"
 
@@ -50,35 +50,44 @@ std::string UnitParameters::text() const {
 }
 
 Silicon::Silicon(const engine& engine)
-    : engine_(engine), yosys_(yosys_version()), recipe_(content_key({whole_file(recipe_file())})) {
-  for (const std::string& unit : engine.unit_names(false))
-    if (unit != Sound) units_[unit] = unit_sources(unit, rtl_folders());
+    : engine_(engine),
+      yosys_(yosys_version()),
+      recipe_(content_key({whole_file(recipe_file())})),
+      usual_(engine.parameters(knobs())),
+      known_(usual_.size()) {
+  for (const std::string& name : engine.unit_names(false)) {
+    if (name == Sound) continue;
+    const UnitSources sources = unit_sources(name, rtl_folders());
+    Unit unit{name, sources.key, {}};
+    for (std::size_t i = 0; i < usual_.size(); ++i) {
+      if (sources.parameters.count(usual_[i].name) == 0) continue;
+      unit.parameters.push_back(i);
+      known_[i] = true;
+    }
+    units_.push_back(unit);
+  }
 }
 
 std::vector<UnitParameters> Silicon::units_of(const knobs& k) const {
-  const std::vector<rtl_parameter> wanted = engine_.parameters(without_pins(k)),
-                                   usual = engine_.parameters(knobs());
-  std::vector<UnitParameters> units;
-  for (const std::string& name : engine_.unit_names(false))
-    if (name != Sound) units.push_back({name, "", ""});
+  const std::vector<rtl_parameter> wanted = engine_.parameters(without_pins(k));
+  std::vector<std::string> settings;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const rtl_parameter& parameter = wanted[i];
-    const std::string setting = fmt::format("{}={}", parameter.name, parameter.value);
-    const bool differs = parameter.value != usual[i].value;
-    bool known = false;
-    for (UnitParameters& unit : units) {
-      if (units_.at(unit.unit).parameters.count(parameter.name) == 0) continue;
-      known = true;
-      unit.parameters += (unit.parameters.empty() ? "" : " ") + setting;
-      if (differs) unit.settings.push_back(setting);
-    }
-    if (differs && !known)
-      throw NoSilicon(
-          fmt::format("{} is of the model only: no unit's RTL has {}", parameter.what, setting));
+    settings.push_back(wanted[i].name + "=" + std::to_string(wanted[i].value));
+    if (!known_[i] && wanted[i].value != usual_[i].value)
+      throw NoSilicon(wanted[i].what + " is of the model only: no unit's RTL has " +
+                      settings.back());
   }
-  for (UnitParameters& unit : units)
-    unit.hash = content_key(
-        {GenericRecipe, recipe_, yosys_, unit.unit, unit.parameters, units_.at(unit.unit).key});
+  std::vector<UnitParameters> units;
+  for (const Unit& unit : units_) {
+    UnitParameters own{unit.name, "", ""};
+    for (const std::size_t i : unit.parameters) {
+      own.parameters += (own.parameters.empty() ? "" : " ") + settings[i];
+      if (wanted[i].value != usual_[i].value) own.settings.push_back(settings[i]);
+    }
+    own.hash =
+        content_key({GenericRecipe, recipe_, yosys_, own.unit, own.parameters, unit.sources});
+    units.push_back(own);
+  }
   return units;
 }
 

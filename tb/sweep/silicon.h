@@ -7,14 +7,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sc/base/engine.h"
 #include "sc/beam/knobs.h"
-#include "tb/sweep/unit_sources.h"
+#include "sc/swap/rtl_parameters.h"
 
 namespace racebeam {
 
@@ -53,9 +53,16 @@ class Silicon {
   std::vector<UnitParameters> units_of(const knobs& k) const;
 
  private:
+  struct Unit {
+    std::string name, sources;            ///< sources: their key
+    std::vector<std::size_t> parameters;  ///< that are knobs: places in engine::parameters
+  };
+
   const engine& engine_;
   std::string yosys_, recipe_;
-  std::map<std::string, UnitSources> units_;
+  std::vector<rtl_parameter> usual_;  ///< of the chip
+  std::vector<bool> known_;           ///< of those: a unit has it
+  std::vector<Unit> units_;
 };
 
 }  // namespace racebeam

@@ -16,6 +16,7 @@
 #include "sc/beam/knob_parameters.h"
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
+#include "tb/sweep/unit_sources.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tests/sweep/fake_yosys.h"
 #include "tests/sweep/sweep_store.h"
