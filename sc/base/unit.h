@@ -3,7 +3,8 @@
 // A 1-bit port is `bool`, a wider one `sc_uint<Bits>`, up to 64 bits; signed values cross a port as
 // raw two's complement. A unit reads ports of up to 31 bits as int, wider ones as 64 bits. An input
 // reads the channel's value through a reference taken once, at the end of elaboration; an output
-// writes only what changed. Both keep the kernel out of the hot path.
+// writes only what changed. Both keep the kernel out of the hot path. RTL written before a knob
+// brought a port fits without that port.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -49,6 +50,8 @@ class any_port {
   virtual const char* port_name() const = 0;
   virtual int bits() const = 0;
   virtual bool is_input() const = 0;
+  /// RTL may do without it.
+  virtual bool is_optional() const = 0;
   /// Its wire; from the end of elaboration on.
   virtual wire_contents contents() const = 0;
   /// Drives an output.
@@ -56,6 +59,10 @@ class any_port {
   /// Makes a process sensitive to an input.
   virtual void sense(sc_core::sc_sensitive& process) = 0;
 };
+
+/// Marks a port that only some setting of a knob needs.
+struct optional_port {};
+constexpr optional_port OfKnob;
 
 template <int Bits>
 wire_contents contents_of(const wire_type<Bits>& value) {
@@ -71,10 +78,13 @@ template <int Bits>
 class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
  public:
   using sc_core::sc_in<wire_type<Bits>>::sc_in;
+  in_port(const char* name, optional_port)
+      : sc_core::sc_in<wire_type<Bits>>(name), optional_(true) {}
 
   const char* port_name() const override { return this->basename(); }
   int bits() const override { return Bits; }
   bool is_input() const override { return true; }
+  bool is_optional() const override { return optional_; }
   wire_contents contents() const override { return contents_of<Bits>(*channel_value_); }
   void drive_wire(std::uint64_t) override {}
   void sense(sc_core::sc_sensitive& process) override { process << *this; }
@@ -98,6 +108,7 @@ class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
 
  private:
   const wire_type<Bits>* channel_value_ = nullptr;
+  const bool optional_ = false;
 };
 
 /// Output port of `Bits` bits.
@@ -105,10 +116,13 @@ template <int Bits>
 class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port {
  public:
   using sc_core::sc_out<wire_type<Bits>>::sc_out;
+  out_port(const char* name, optional_port)
+      : sc_core::sc_out<wire_type<Bits>>(name), optional_(true) {}
 
   const char* port_name() const override { return this->basename(); }
   int bits() const override { return Bits; }
   bool is_input() const override { return false; }
+  bool is_optional() const override { return optional_; }
   wire_contents contents() const override { return contents_of<Bits>((*this)->read()); }
   void drive_wire(std::uint64_t value) override { drive(static_cast<raw_value<Bits>>(value)); }
   void sense(sc_core::sc_sensitive&) override {}
@@ -124,6 +138,7 @@ class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port 
 
  private:
   raw_value<Bits> driven_ = 0;
+  const bool optional_ = false;
 };
 
 /// One object per axis, named `<stem>_x<suffix>`, `_y`, `_z`.

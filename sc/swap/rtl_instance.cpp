@@ -21,12 +21,13 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     throw RtlError(plugin + " holds the unit " + model().unit + ", not " + unit);
   std::vector<rtl_pin> ports;
   for (const any_port* pin : pins)
-    ports.push_back({pin->port_name(), pin->is_input(), pin->bits()});
+    ports.push_back({pin->port_name(), pin->is_input(), pin->bits(), pin->is_optional()});
   const std::string faults = port_faults(model(), ports);
   if (!faults.empty())
     throw RtlError(rtl_place(model()) + ": this does not fit the unit " + unit + "; " + unit +
                    ".h below sc/ has its ports:" + faults);
   for (any_port* pin : pins) {
+    if (!has_rtl_port(model(), pin->port_name())) continue;
     const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
     if (pin->port_name() == std::string(Clock)) continue;
     if (pin->is_input()) {

@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -46,6 +47,11 @@ rtl_library::rtl_library(const std::string& plugin)
 
 void rtl_library::evaluate(void (*step)(void*)) { run_rtl(*model_, clocks_, step); }
 
+bool has_rtl_port(const rtl_model& model, const std::string& name) {
+  return std::any_of(model.ports, model.ports + model.port_count,
+                     [&](const rtl_port& port) { return name == port.name; });
+}
+
 const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name) {
   for (int n = 0; n < model.port_count; ++n)
     if (name == model.ports[n].name) return model.ports[n];
@@ -69,6 +75,7 @@ std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& want
   for (const rtl_pin& pin : wanted) {
     const auto at = unknown.find(pin.name);
     if (at == unknown.end()) {
+      if (pin.is_optional) continue;
       fault(pin.name + " is missing: " + kind(pin.is_input) + ", " + std::to_string(pin.bits) +
             (pin.bits == 1 ? " bit" : " bits"));
       continue;

@@ -27,6 +27,8 @@ class RtlFault : public RtlError {
   using RtlError::RtlError;
 };
 
+/// Whether there is a port of this name.
+bool has_rtl_port(const rtl_model& model, const std::string& name);
 /// A port by its name. Throws RtlError if there is none.
 const rtl_port& rtl_port_of(const rtl_model& model, const std::string& name);
 
@@ -38,10 +40,11 @@ struct rtl_pin {
   std::string name;
   bool is_input;
   int bits;
+  bool is_optional = false;
 };
 
-/// What of the ports of `model` does not fit: missing, extra, wrongly sized, an input instead of an
-/// output; a line of its own for each, empty if all fit.
+/// What of the ports of `model` does not fit: missing and not optional, extra, wrongly sized, an
+/// input instead of an output; a line of its own for each, empty if all fit.
 std::string port_faults(const rtl_model& model, const std::vector<rtl_pin>& wanted);
 
 /// One instance of what a plug-in holds, with the library that it lives in.
