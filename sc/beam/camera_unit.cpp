@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/beam/camera_unit.h"
 
+#include <cmath>
+
 #include "sc/beam/sequencer.h"
 
 namespace racebeam {
@@ -40,6 +42,14 @@ factor_masks masks(const int (&offsets)[3], int quadrant) {
 
 // A sine factor has 9 bits; delta has one bit less than dr.
 int to_delta(int fraction, const knobs& k) { return rescaled(fraction, DrBits, k.dr_bits); }
+
+/// Sizes of a factor's sine and cosine at an angle, without the parabolas.
+struct exact_factor {
+  double sine, cosine;
+  explicit exact_factor(int angle)
+      : sine(std::sin(radians(angle))), cosine(std::cos(radians(angle))) {}
+  static double radians(int angle) { return (angle & 511) * std::acos(0.0) / 512; }
+};
 
 }  // namespace
 
@@ -123,7 +133,8 @@ void camera_unit_core::clock(const inputs& in, const knobs& k) {
   const bool presetting = preset(in.reset, in.stepping);
   const pass_row& pass = passes[pass_q];
 
-  if (stage_done)
+  if (stage_done && k.camera_cosine == CosineExact) multiply_exactly(in, k);
+  else if (stage_done)
     for (int a = 0; a < 3; ++a) ddr_q[a] = in.dr2[a] & low_bits(k.dr_bits);
   else if (pstage_q == 3 && pclk_q == 3)
     for (int a = 0; a < 3; ++a)
@@ -159,6 +170,22 @@ void camera_unit_core::clock(const inputs& in, const knobs& k) {
     phase_q = CameraLoad;
   } else if (phase_q == CameraLoad) {
     phase_q = CameraScale;
+  }
+}
+
+// The yaw's factors after its stage, the pitch's after the second of its two.
+void camera_unit_core::multiply_exactly(const inputs& in, const knobs& k) {
+  if (pstage_q == 1) return;
+  const pass_row& pass = passes[pass_q];
+  const bool yaw = pstage_q == 0;
+  const auto m = masks(yaw ? pass.yaw_quadrant : pass.pitch_quadrant, in.angle >> 9);
+  const exact_factor factor(in.angle);
+  for (int a = 0; a < 3; ++a) {
+    const int before = !yaw ? ddr_q[a] : bit_of(pass.zero, a) ? 0 : low_bits(k.dr_bits - 1);
+    const double by = yaw && bit_of(pass.one, a) ? 1
+                      : bit_of(m.cosine, a)      ? factor.cosine
+                                                 : factor.sine;
+    ddr_q[a] = static_cast<int>(std::lround(before * by));
   }
 }
 

@@ -3,7 +3,7 @@
 // What    computes dr_0 = fov*forward/512 + y*down/512 - 320*right/512 and ddr = right from yaw
 //         and pitch, with no multiplier of its own: it sets ray_stepper's delta and the range of
 //         subdivider's idx2, so that stepping dr2 from 0 to n pixels multiplies delta by n/512.
-//         Sines and cosines are parabolas: (1-t)(1+t), one factor at a time.
+//         Sines and cosines are parabolas, up to 0.056 too large: (1-t)(1+t), one factor at a time.
 //         Three passes (forward, down, right), each PRODUCT (of sines), LOAD, SCALE; then RUN.
 // Size    45 register bits, 9 more with a head_start; angle_i counts 1/2048 turn, full scale of a
 //         sine is 511.
@@ -15,6 +15,8 @@
 // Stall   waits in SCALE while step_i; in the last one head_start clocks more.
 // Reset   start of a line, also by line_end_i; ddr keeps its value.
 // Knobs   dr_bits scales full scale; head_start; ddr_fraction_bits: the others of ddr are 0.
+//         camera_cosine, of the model alone: with exact ones the factors are those of the angles,
+//         in the same clocks.
 // Twin    rtl/beam/camera_unit.sv
 // Test    tests/beam/camera_unit_test.cpp
 // Source  contract section 7; article "Camera view calculations".
@@ -85,6 +87,7 @@ struct camera_unit_core {
   bool finish(bool stepping, const knobs& k) const {
     return scaled(stepping) && (pass_q < 2 || wait_q == k.head_start);
   }
+  void multiply_exactly(const inputs& in, const knobs& k);
   bool preset(bool reset, bool stepping) const { return reset || (scaled(stepping) && pass_q < 2); }
   bool product_stage_done(bool stepping) const { return pstage_q != 3 && pclk_q == 3 && !stepping; }
 };

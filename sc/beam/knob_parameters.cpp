@@ -31,7 +31,8 @@ knobs without_pins(knobs k) {
 std::vector<rtl_parameter> knob_parameters(const knobs& k) {
   std::vector<rtl_parameter> all;
   for (const knob_info& row : knob_table())
-    all.push_back({parameter_name(row.name), k.*row.member, "the knob " + std::string(row.name)});
+    all.push_back({parameter_name(row.name), k.*row.member, "the knob " + std::string(row.name),
+                   k.*row.member == knobs().*row.member ? "" : row.model_of});
   return all;
 }
 

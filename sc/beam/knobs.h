@@ -13,6 +13,7 @@
 namespace racebeam {
 
 enum bisection_rule { BisectionPow2 = 0, BisectionMidpoint = 1, BisectionFloor = 2 };
+enum cosine_rule { CosineParabola = 0, CosineExact = 1 };
 enum stepping_rule { SteppingJumper = 0, SteppingFraction = 1, SteppingFractionDr2 = 2 };
 
 struct knobs {
@@ -38,6 +39,7 @@ struct knobs {
   int ddr_fraction_bits = 9;
   int corner_rounding = 0;
   int fifo_merge = 1;
+  int camera_cosine = CosineParabola;
 
   // Only a scene file sets these (scene_program.h).
   int navigator_bits = 9;
@@ -66,7 +68,8 @@ struct knob_info {
   const char* unit;
   const char* meaning;
   const char* source;
-  bool of_scene = false;  ///< a scene file sets it, and nobody else
+  bool of_scene = false;      ///< a scene file sets it, and nobody else
+  const char* model_of = "";  ///< unit of which only the model has other values than the chip's
 
   /// "4", or the name of the value where values have names.
   std::string text(int value) const;

@@ -17,7 +17,8 @@ namespace racebeam {
 struct rtl_parameter {
   std::string name;  ///< "IntervalStackDepth"
   std::int64_t value;
-  std::string what;  ///< it stands for: "the knob interval_stack_depth"
+  std::string what;        ///< it stands for: "the knob interval_stack_depth"
+  std::string model_of{};  ///< the unit whose RTL cannot have this value
 };
 
 /// Those that RTL was built with, by name, otherwise than `wanted`.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/golden/golden_camera.h"
 
+#include <cmath>
+
 #include "sc/beam/sequencer.h"
 
 namespace racebeam {
@@ -30,6 +32,15 @@ double parabola(int angle, int quarters) {
   const double u = angle % Quarter / double{Quarter};
   const double size = q & 1 ? (1 - u) * (1 + u) : u * (2 - u);
   return q & 2 ? -size : size;
+}
+double sine(int angle, int quarters, int cosine) {
+  if (cosine == CosineParabola) return parabola(angle, quarters);
+  return std::sin((angle + quarters * Quarter) * std::acos(-1.0) / (2 * Quarter));
+}
+
+// What the model has for exact products: rounded after each factor.
+int exact_product(int product, int angle, int quarters) {
+  return static_cast<int>(std::lround(product * std::abs(sine(angle, quarters, CosineExact))));
 }
 
 // The demo's angles count 1/1024 turn; a twist adds y to them (contract 7.5, 17.3).
@@ -60,7 +71,7 @@ GoldenView golden_view(int frame, int variant, bool fast, int y) {
   return demo_turns(variant, fast).view(frame, y);
 }
 
-GoldenLine golden_line(const GoldenView& view, int y) {
+GoldenLine golden_line(const GoldenView& view, int y, int cosine) {
   const int u1 = view.yaw % Quarter, v1 = One - u1;
   const int u2 = view.pitch % Quarter, v2 = One - u2;
   static constexpr int yaw_offset[3][3] = {{0, 0, 1}, {2, 0, 3}, {1, 0, 2}};
@@ -72,14 +83,19 @@ GoldenLine golden_line(const GoldenView& view, int y) {
     for (int a = 0; a < 3; ++a) {
       int q = view.yaw / Quarter + yaw_offset[pass][a];
       bool negative = q & 2;
-      int product = mod((q & 1 ? v1 : u1) + golden_steps(v1, u1), 1024);
+      int product = cosine == CosineExact ? exact_product(One, view.yaw, yaw_offset[pass][a])
+                                          : mod((q & 1 ? v1 : u1) + golden_steps(v1, u1), 1024);
       if (pass < 2 && a == 1) product = One, negative = false;
       if (pass == 2 && a == 1) product = 0, negative = false;
       if (pass < 2) {
         q = view.pitch / Quarter + pitch_offset[pass][a];
         negative ^= (q & 2) != 0;
-        product = mod((q & 1 ? 0 : product) + golden_steps(product, v2), 1024);
-        product = mod((q & 1 ? product : 0) + golden_steps(product, u2), 1024);
+        if (cosine == CosineExact) {
+          product = exact_product(product, view.pitch, pitch_offset[pass][a]);
+        } else {
+          product = mod((q & 1 ? 0 : product) + golden_steps(product, v2), 1024);
+          product = mod((q & 1 ? product : 0) + golden_steps(product, u2), 1024);
+        }
       }
       line.ddr[a] = wrap_signed(negative ? -product : product, DrBits);
       const int scaled =
@@ -90,9 +106,9 @@ GoldenLine golden_line(const GoldenView& view, int y) {
   return line;
 }
 
-GoldenIdeal::GoldenIdeal(const GoldenView& view, int y) {
-  const auto yaw = [&](int quarters) { return parabola(view.yaw, quarters); };
-  const auto pitch = [&](int quarters) { return parabola(view.pitch, quarters); };
+GoldenIdeal::GoldenIdeal(const GoldenView& view, int y, int cosine) {
+  const auto yaw = [&](int quarters) { return sine(view.yaw, quarters, cosine); };
+  const auto pitch = [&](int quarters) { return sine(view.pitch, quarters, cosine); };
   const GoldenVector forward = {yaw(Sine) * pitch(Cosine), pitch(Sine),
                                 yaw(Cosine) * pitch(Cosine)};
   const GoldenVector down = {-yaw(Sine) * pitch(Sine), pitch(Cosine), -yaw(Cosine) * pitch(Sine)};
@@ -104,19 +120,20 @@ GoldenVector GoldenIdeal::ray(int pixel) const {
   return {dr_0[0] + pixel * ddr[0], dr_0[1] + pixel * ddr[1], dr_0[2] + pixel * ddr[2]};
 }
 
-GoldenCamera::GoldenCamera(int frame) : frame_(frame) {
+GoldenCamera::GoldenCamera(int frame, const knobs& k) : frame_(frame), cosine_(k.camera_cosine) {
   sequencer_core sequencer;
   sequencer.frame_q = frame;
   turns_ = demo_turns(sequencer.variant(), sequencer.fast());
 }
 
-GoldenCamera::GoldenCamera(const SceneFile& scene, int frame) : frame_(frame) {
+GoldenCamera::GoldenCamera(const SceneFile& scene, int frame, const knobs& k)
+    : frame_(frame), cosine_(k.camera_cosine) {
   const Camera& camera = scene.shot_at(frame).camera;
   turns_ = {camera.yaw, camera.pitch, camera.fov};
 }
 
 GoldenRays GoldenCamera::rays(int y) const {
-  const GoldenLine line = golden_line(view(y), y);
+  const GoldenLine line = golden_line(view(y), y, cosine_);
   GoldenRays rays;
   for (int a = 0; a < 3; ++a) {
     int of_bit[10], sum[VisibleColumns] = {0};

@@ -11,6 +11,7 @@
 
 #include "sc/base/constants.h"
 #include "sc/base/fixed_point.h"
+#include "sc/beam/knobs.h"
 #include "tb/scene/scene_file.h"
 
 namespace racebeam {
@@ -38,36 +39,37 @@ struct GoldenLine {
   vec3 dr_0, ddr;
 };
 
-/// The chip's line `y` with the rounding of all its products.
-GoldenLine golden_line(const GoldenView& view, int y);
+/// The chip's line `y` with the rounding of all its products; `cosine`: a cosine_rule.
+GoldenLine golden_line(const GoldenView& view, int y, int cosine = CosineParabola);
 
 /// Directions in double precision.
 using GoldenVector = std::array<double, 3>;
 
-/// The ideal camera of a line: the same parabolas for sine and cosine, without any rounding.
+/// The ideal camera of a line: the same parabolas for sine and cosine, or exact ones, without any
+/// rounding.
 struct GoldenIdeal {
   GoldenVector dr_0, ddr;  ///< direction of pixel 0, change per pixel
 
-  GoldenIdeal(const GoldenView& view, int y);
+  GoldenIdeal(const GoldenView& view, int y, int cosine = CosineParabola);
   GoldenVector ray(int pixel) const;
 };
 
 /// The chip's ray directions of all pixels of a line.
 using GoldenRays = std::array<vec3, VisibleColumns>;
 
-/// The camera of one frame of the demo or of a scene file. Rays have 10 bits and the chip's
-/// stepping, whatever the knobs dr_bits and stepping say.
+/// The camera of one frame of the demo or of a scene file. Of the knobs counts camera_cosine; rays
+/// have 10 bits and the chip's stepping, whatever dr_bits and stepping say.
 class GoldenCamera {
  public:
-  explicit GoldenCamera(int frame);
-  GoldenCamera(const SceneFile& scene, int frame);
+  explicit GoldenCamera(int frame, const knobs& k = {});
+  GoldenCamera(const SceneFile& scene, int frame, const knobs& k = {});
 
   GoldenView view(int y) const { return turns_.view(frame_, y); }
   GoldenRays rays(int y) const;
-  GoldenIdeal ideal(int y) const { return {view(y), y}; }
+  GoldenIdeal ideal(int y) const { return {view(y), y, cosine_}; }
 
  private:
-  int frame_;
+  int frame_, cosine_;
   GoldenTurns turns_;
 };
 

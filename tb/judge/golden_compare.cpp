@@ -74,7 +74,7 @@ GoldenCounts& GoldenCounts::operator+=(const GoldenCounts& more) {
 GoldenReport golden_compare(const Show& show, int frame, const knobs& k,
                             const GoldenPicture& chip) {
   const GoldenWorld world = show.golden_world(frame, k);
-  const GoldenCamera camera = show.golden_camera(frame);
+  const GoldenCamera camera = show.golden_camera(frame, k);
   std::array<GoldenPicture, 3> by_tracer;
   for (const Tracer tracer : {Tracer::Trace2, Tracer::Trace4, Tracer::Geometry})
     by_tracer[static_cast<int>(tracer)] = golden_picture(tracer, world, camera);

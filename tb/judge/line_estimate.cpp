@@ -54,7 +54,7 @@ LineEstimate climb(const Show& show, const knobs& k, int start, int apart) {
 
 LineEstimate estimate_frame(const Show& show, int frame, const knobs& k, int lines) {
   const GoldenWorld world = show.golden_world(frame, k);
-  const GoldenCamera camera = show.golden_camera(frame);
+  const GoldenCamera camera = show.golden_camera(frame, k);
   LineEstimate worst;
   worst.frame = frame;
   for (int y = FirstVisibleLine; y < FirstVisibleLine + VisibleRows; y += lines) {

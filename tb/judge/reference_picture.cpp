@@ -20,6 +20,7 @@ knobs reference_knobs(const Show& show, PictureReference reference, const knobs&
   k.face_stack_depth = most(&knobs::face_stack_depth);
   k.interlace = point.interlace;
   k.dithering = point.dithering;
+  k.camera_cosine = point.camera_cosine;
   return k;
 }
 
@@ -41,7 +42,7 @@ GoldenPicture ReferencePicture::picture(int frame) const {
   world.corner_bits = 0;
   return golden_picture(
       reference_ == PictureReference::Trace4 ? GoldenTracer::Trace4 : GoldenTracer::Geometry, world,
-      show_.golden_camera(frame));
+      show_.golden_camera(frame, knobs_));
 }
 
 }  // namespace racebeam

@@ -24,7 +24,7 @@ RenderedFrame render_frame(const RenderPlan& plan, int index) {
   VgaFrame& picture = rendered.picture;
   GoldenWork work;
   picture.colours = golden_picture(*plan.tracer, plan.show.golden_world(frame, plan.k),
-                                   plan.show.golden_camera(frame), &work);
+                                   plan.show.golden_camera(frame, plan.k), &work);
   rendered.stats = counted(*plan.tracer, work);
   picture.image_crc = static_cast<std::uint32_t>(
       crc32(0, picture.colours.data(), static_cast<uInt>(picture.colours.size())));

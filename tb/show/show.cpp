@@ -51,8 +51,8 @@ GoldenWorld Show::golden_world(int frame, const knobs& k) const {
   return scene_ ? GoldenWorld(*scene_, *path_, frame, k) : GoldenWorld(frame, k);
 }
 
-GoldenCamera Show::golden_camera(int frame) const {
-  return scene_ ? GoldenCamera(*scene_, frame) : GoldenCamera(frame);
+GoldenCamera Show::golden_camera(int frame, const knobs& k) const {
+  return scene_ ? GoldenCamera(*scene_, frame, k) : GoldenCamera(frame, k);
 }
 
 }  // namespace racebeam

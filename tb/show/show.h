@@ -49,7 +49,7 @@ class Show {
   std::string part(int frame) const;
 
   GoldenWorld golden_world(int frame, const knobs& k) const;
-  GoldenCamera golden_camera(int frame) const;
+  GoldenCamera golden_camera(int frame, const knobs& k) const;
 
  private:
   const racebeam::engine* engine_;

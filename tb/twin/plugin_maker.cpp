@@ -37,6 +37,14 @@ std::vector<PluginMaker::Setting> PluginMaker::settings_of_unit(const std::strin
   return of_unit_ ? of_unit_(unit) : std::vector<Setting>();
 }
 
+void PluginMaker::expect_rtl_of(const std::string& unit,
+                                const std::map<std::string, std::int64_t>& known) const {
+  for (const rtl_parameter& parameter : wanted_)
+    if (parameter.model_of == unit && known.count(parameter.name) == 0)
+      throw RtlError("only the model of " + unit + " has " + parameter.what +
+                     " so: leave it a model, or the knob at its default");
+}
+
 std::vector<PluginMaker::Setting> PluginMaker::settings(const std::string& unit) const {
   std::vector<Setting> all = settings_of_unit(unit);
   for (const rtl_parameter& parameter :
@@ -54,6 +62,7 @@ void PluginMaker::tell_missing(const std::string& text, const std::vector<Settin
 }
 
 std::string PluginMaker::own(const std::string& unit, bool open) const {
+  expect_rtl_of(unit, {});
   RtlSources sources = own_sources(unit);
   for (const Setting& setting : settings(unit))
     sources.parameters.push_back(setting.name + "=" + setting.value);
@@ -63,8 +72,10 @@ std::string PluginMaker::own(const std::string& unit, bool open) const {
 
 std::string PluginMaker::users(const std::string& unit, const std::string& text, bool open) const {
   if (fs::path(text).extension() == ".so") {
-    if (fs::exists(text))
-      tell_missing(text, settings(unit), built_parameters(rtl_library(text).model()));
+    if (!fs::exists(text)) return text;
+    const auto built = built_parameters(rtl_library(text).model());
+    expect_rtl_of(unit, built);
+    tell_missing(text, settings(unit), built);
     return text;
   }
   RtlSources sources = read_source_list(unit, text);
@@ -74,6 +85,7 @@ std::string PluginMaker::users(const std::string& unit, const std::string& text,
     tell(call.file + ":" + std::to_string(call.line) + ": " + call.name +
          " reaches beyond the simulation, with your rights");
   const std::map<std::string, std::int64_t> known = numbers(syntax);
+  expect_rtl_of(unit, known);
   for (const rtl_parameter& parameter : other_parameters(known, wanted_))
     sources.parameters.push_back(parameter.name + "=" + std::to_string(parameter.value));
   for (const Setting& own : settings_of_unit(unit))

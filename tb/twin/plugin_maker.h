@@ -39,6 +39,9 @@ class PluginMaker {
 
  private:
   std::vector<Setting> settings_of_unit(const std::string& unit) const;
+  /// Throws RtlError if of `unit` only the model has a wanted value, and its RTL no such parameter.
+  void expect_rtl_of(const std::string& unit,
+                     const std::map<std::string, std::int64_t>& known) const;
   /// Everything that the unit's own RTL is told.
   std::vector<Setting> settings(const std::string& unit) const;
   static void tell_missing(const std::string& text, const std::vector<Setting>& settings,

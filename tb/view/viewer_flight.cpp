@@ -36,7 +36,7 @@ void Viewer::toggle_flight() {
     return say(fmt::format("no free flight at the level {}", stage_.source->level()));
   flight_frame_ = frame;
   flight_.emplace(*stage_.show.scene(), stage_.show.path()->points[frame],
-                  stage_.show.golden_camera(frame).view(0));
+                  stage_.show.golden_camera(frame, {}).view(0));
   control.state.flying = true;
   fill_ = true;
   say("free flight: w a s d, e x, arrows, mouse; f: back to the path");

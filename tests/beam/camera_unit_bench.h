@@ -47,8 +47,8 @@ struct Line {
   int first_run_clock;
 };
 
-inline Line expected_line(const View& view, int y) {
-  const GoldenLine golden = golden_line(view, y);
+inline Line expected_line(const View& view, int y, int cosine = CosineParabola) {
+  const GoldenLine golden = golden_line(view, y, cosine);
   Line line{golden.dr_0, golden.ddr, 0};
   const int u1 = view.yaw % 512, u2 = view.pitch % 512, v2 = 511 - u2;
   const int start[3] = {0, 256, 512}, target[3] = {view.fov, mod(y + 256, 512), 192};

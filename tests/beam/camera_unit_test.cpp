@@ -209,6 +209,35 @@ TYPED_TEST(CameraUnitKnobTest, DdrWithoutFractionBits) { this->check_ddr_fractio
 TYPED_TEST(CameraUnitKnobTest, DdrWith4FractionBits) { this->check_ddr_fraction(4); }
 TYPED_TEST(CameraUnitKnobTest, DdrWith8FractionBits) { this->check_ddr_fraction(8); }
 
+// Knob camera_cosine, of the model alone: the same clocks, the directions of the angles.
+using CameraUnitModelTest = CameraUnitKnobTest<camera_unit>;
+TEST_F(CameraUnitModelTest, ExactCosinesComeInTheSameClocks) {
+  knobs k;
+  k.camera_cosine = CosineExact;
+  build(k);
+  const View views[] = {{0, 0, 96},       {512, 0, 96},     {1024, 512, 1}, {300, 2000, 96},
+                        {1700, 100, 255}, {2047, 1023, 96}, {831, 1400, 17}};
+  for (const View& of_line : views)
+    for (const int line : {-240, -1, 0, 97, 239}) {
+      check_line(of_line, line, expected_line(of_line, line, CosineExact));
+      if (HasFatalFailure()) return;
+    }
+}
+
+TEST_F(CameraUnitModelTest, ExactCosinesAreWithinARoundingOfTheAngles) {
+  knobs k;
+  k.camera_cosine = CosineExact;
+  build(k);
+  const double unit = std::acos(0.0) / 512;  // radians
+  for (int angle = 0; angle < 2048; angle += 5) {
+    run_line({angle, 0, 96}, 0);  // level: the right vector is (cos yaw, 0, -sin yaw)
+    const vec3 ddr = bench->read("delta");
+    EXPECT_NEAR(ddr[0], 511 * std::cos(angle * unit), 0.51) << angle;
+    EXPECT_EQ(ddr[1], 0);
+    EXPECT_NEAR(ddr[2], -511 * std::sin(angle * unit), 0.51) << angle;
+  }
+}
+
 // Knob dr_bits: the same clocks; the directions in another scale, a few units off.
 TYPED_TEST(CameraUnitKnobTest, ClocksAndDirectionsAtDrBits8) { this->check_scale(8, 4); }
 

@@ -43,7 +43,7 @@ const auto Settings = testing::Values(
     "partial_products_cut=0", "bisection=midpoint", "stepping=fraction", "interlace=off",
     "dithering=off", "clocks_per_pixel=1", "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7",
     "head_start=320", "bisection=floor", "stepping=fraction_dr2", "ddr_fraction_bits=4",
-    "corner_rounding=on", "fifo_merge=off");
+    "corner_rounding=on", "fifo_merge=off", "camera_cosine=exact");
 INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs, Settings);
 INSTANTIATE_TEST_SUITE_P(LongSettings, LongChipKnobs, Settings);
 

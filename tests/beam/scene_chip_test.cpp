@@ -69,7 +69,7 @@ void expect_chip_equals_trace_4(const std::string& scene, int samples) {
     if (!shows_rooms(world)) continue;
     ++compared;
     const auto chip = core_picture(frame, k, show.program());
-    const auto golden = golden_picture(GoldenTracer::Trace4, world, show.golden_camera(frame));
+    const auto golden = golden_picture(GoldenTracer::Trace4, world, show.golden_camera(frame, k));
     ASSERT_EQ(golden_difference(chip, golden), 0) << "frame " << frame;
   }
   EXPECT_GE(compared, samples / 2);

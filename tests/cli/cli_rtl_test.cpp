@@ -83,6 +83,15 @@ TEST_F(CliRtlTest, AKnobThatTheRtlLacksIsNamed) {
   EXPECT_THAT(usual.err(), Not(HasSubstr("no parameter")));
 }
 
+TEST_F(CliRtlTest, AKnobThatTheModelAloneHasIsRefusedForItsRtlOnly) {
+  const std::string refused = "only the model of camera_unit has the knob camera_cosine so";
+  const std::string with_file = "camera_unit=" + rtl_file("camera_unit");
+  for (const std::string& word : {std::string("camera_unit"), with_file})
+    expect(2, verify(word, {"--set", "camera_cosine=exact"}), refused);
+  expect(2, {"render", "demo", "--use", "all", "--set", "camera_cosine=exact", "-o", "o"}, refused);
+  expect(0, verify("stacks", {"--set", "camera_cosine=exact"}));
+}
+
 TEST_F(CliRtlTest, AWrongPortNamesTheFile) {
   write("mine.sv", changed("stacks", "push_en_i,", "push_enable_i,\n    input logic push_en_i,"));
   Program run(folder.path(), verify("stacks=mine.sv"));

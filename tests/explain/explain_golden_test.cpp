@@ -49,7 +49,7 @@ void explain_some(const Moment& moment, bool lift_limits, std::mt19937& random, 
   const Show show = show_of(moment);
   const knobs k = lift_limits ? unlimited(show.standard_knobs()) : show.standard_knobs();
   const GoldenWorld world = show.golden_world(moment.frame, k);
-  const GoldenCamera camera = show.golden_camera(moment.frame);
+  const GoldenCamera camera = show.golden_camera(moment.frame, k);
   ASSERT_EQ(world.lock, GoldenLock::None);
   chip_lines chip({k, show.program(), false, false, nullptr});
   chip.deposit(moment.frame);
@@ -137,8 +137,9 @@ TEST(ExplainGolden, OnTheChipPixelsOfTheColourOfTrace4EndWhereItEnds) {
   for (const Moment& moment : Moments) {
     const Show show = show_of(moment);
     const knobs k = show.standard_knobs();
-    const GoldenPicture golden = golden_picture(
-        GoldenTracer::Trace4, show.golden_world(moment.frame, k), show.golden_camera(moment.frame));
+    const GoldenPicture golden =
+        golden_picture(GoldenTracer::Trace4, show.golden_world(moment.frame, k),
+                       show.golden_camera(moment.frame, k));
     explain_some(moment, false, random,
                  [&](const GoldenWorld& world, const GoldenRays&, const GoldenEnd& end,
                      const Explanation& e) {

@@ -101,6 +101,38 @@ TEST(GoldenCamera, IntegerRaysAreNearTheIdeal) {
   EXPECT_LT(sum / count, 1);
 }
 
+// Article "Camera view calculations": cos(pi/2 t) is about (1 - t)(1 + t).
+TEST(GoldenCamera, ParabolasAreUpTo0056TooLargeAndNeverTooSmall) {
+  double least = 1, most = -1;
+  for (int yaw = 0; yaw <= 512; ++yaw) {
+    const double parabola = GoldenIdeal({yaw, 0, 96}, 0).ddr[0];
+    const double exact = GoldenIdeal({yaw, 0, 96}, 0, CosineExact).ddr[0];
+    ASSERT_NEAR(exact, std::cos(std::acos(0.0) * yaw / 512), 1e-12);
+    least = std::min(least, parabola - exact);
+    most = std::max(most, parabola - exact);
+  }
+  EXPECT_NEAR(least, 0, 1e-12);
+  EXPECT_NEAR(most, 0.0560, 0.00005);
+}
+
+TEST(GoldenCamera, ExactIntegerRaysAreNearTheExactIdeal) {
+  knobs k;
+  k.camera_cosine = CosineExact;
+  for (const DemoPart& part : demo_parts()) {
+    const GoldenCamera camera((part.first_frame + part.last_frame) / 2, k);
+    for (int y = -240; y < 240; y += 29) {
+      const GoldenRays rays = camera.rays(y);
+      const GoldenIdeal ideal = camera.ideal(y);
+      for (int p = 0; p < VisibleColumns; p += 13)
+        for (int a = 0; a < 3; ++a) {
+          const double want = ideal.ray(p)[a];
+          if (std::abs(want) > 480) continue;  // may wrap
+          ASSERT_NEAR(rays[p][a], want, 6) << part.first_frame << " line " << y << " pixel " << p;
+        }
+    }
+  }
+}
+
 // An opening is in the plane where two boxes meet; only the tunnel has copies beside a room.
 TEST(GoldenWorld, NeighboursTouchInThePlaneOfTheirFace) {
   for (const DemoPart& part : demo_parts()) {

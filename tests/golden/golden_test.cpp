@@ -16,7 +16,7 @@ namespace {
 using Tracer = GoldenTracer;
 
 GoldenPicture golden(Tracer tracer, int frame, const knobs& k = {}) {
-  return golden_picture(tracer, GoldenWorld(frame, k), GoldenCamera(frame));
+  return golden_picture(tracer, GoldenWorld(frame, k), GoldenCamera(frame, k));
 }
 
 bool has_pattern(const DemoPart& part) {
@@ -57,6 +57,7 @@ TEST(Trace4, FollowsTheKnobsThatChangeWhatIsMeant) {
   expect_equal_with(&knobs::face_stack_depth, 4, 9535);
   expect_equal_with(&knobs::corner_bits, 11, 6400);
   expect_equal_with(&knobs::dithering, 0, 5119);
+  expect_equal_with(&knobs::camera_cosine, CosineExact, 1023);
   expect_equal_with(&knobs::bisection, BisectionMidpoint, 9279);
 }
 

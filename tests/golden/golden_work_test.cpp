@@ -62,7 +62,7 @@ TEST(Trace3, ShowsWhatTrace2ShowsDecisionForDecision) {
   const Show show = spiral();
   for (const int frame : {0, show.frames() / 3})
     expect_trace_3_is_trace_2(show.golden_world(frame, show.standard_knobs()),
-                              show.golden_camera(frame));
+                              show.golden_camera(frame, knobs{}));
 }
 
 TEST(Trace2, TakesSixDecisionsThroughARoomAndTwoAtASolidWall) {

@@ -38,7 +38,8 @@ TEST(ReferencePicture, MovesWithNoKnobButThoseOfTheLook) {
       for (const int value : {row.min, row.max}) {
         const knobs k = with(row.member, value);
         const bool look = which != PictureReference::Base &&
-                          (row.member == &knobs::interlace || row.member == &knobs::dithering);
+                          (row.member == &knobs::interlace || row.member == &knobs::dithering ||
+                           row.member == &knobs::camera_cosine);
         EXPECT_EQ(reference(which, k).key() != key, look && k != knobs{}) << row.name;
       }
   }
@@ -81,9 +82,10 @@ TEST(ReferencePicture, IsTheGoldenTracersPictureWhereNoLimitCounts) {
 
 TEST(ReferencePicture, HasTheLookOfThePoint) {
   constexpr int Frame = 5119;
-  const knobs plain = with(&knobs::dithering, 0);
-  EXPECT_EQ(reference(PictureReference::Geometry, plain).picture(Frame),
-            golden_picture(GoldenTracer::Geometry, GoldenWorld(Frame, plain), GoldenCamera(Frame)));
+  for (const knobs& k : {with(&knobs::dithering, 0), with(&knobs::camera_cosine, CosineExact)})
+    EXPECT_EQ(
+        reference(PictureReference::Geometry, k).picture(Frame),
+        golden_picture(GoldenTracer::Geometry, GoldenWorld(Frame, k), GoldenCamera(Frame, k)));
 }
 
 TEST(ReferencePicture, OfTheBaseIsItsChips) {

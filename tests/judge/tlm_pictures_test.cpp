@@ -40,7 +40,7 @@ TEST(TlmPictures, WithoutResidueAreTrace4WithInterlace) {
   for (const int frame : {200, 1023, 3900, 5119, 6800, 9535, 11263}) {
     const TlmPictures tlm(demo, frame, k);
     const GoldenPicture ideal = golden_picture(GoldenTracer::Trace4, demo.golden_world(frame, k),
-                                               demo.golden_camera(frame));
+                                               demo.golden_camera(frame, k));
     EXPECT_EQ(golden_difference(tlm.without_residue(k), ideal), 0) << frame;
     residue += golden_difference(tlm.picture(k), ideal);
   }

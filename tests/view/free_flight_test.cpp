@@ -139,7 +139,7 @@ TEST(FreeFlightOnTheChip, FromThePathItShowsTheFrameOfThePath) {
     TlmSource source(k, show.program(), scene.wrap || scene.overlap);
     for (const int frame : {320, 900}) {
       const PathPoint& point = show.path()->points[frame];
-      const GoldenView view = show.golden_camera(frame).view(0);
+      const GoldenView view = show.golden_camera(frame, {}).view(0);
       ASSERT_TRUE(source.can_fly());
       source.fly(frame, {point.room, point.position, view.yaw, view.pitch, view.fov});
       source.advance(source.clocks_left());
