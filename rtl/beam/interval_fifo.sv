@@ -11,7 +11,8 @@
 module interval_fifo #(
     parameter int FifoEntries = 10,
     parameter int FifoShortLengthBits = 6,
-    parameter int FifoMerge = 1
+    parameter int FifoMerge = 1,
+    parameter int Dithering = 1
 ) (
     // Clock; phase of the line
     input wire logic clk_i,
@@ -20,27 +21,32 @@ module interval_fifo #(
     input wire logic emit_i,
     input wire logic [racebeam_pkg::PixelBits-1:0] len_m1_i,  // pixels minus one
     input wire logic [1:0] value_i,  // colour index
+    /* verilator lint_off UNUSEDSIGNAL */
+    input wire logic half_i,  // checkered: half a tone more
+    /* verilator lint_on UNUSEDSIGNAL */
     output logic ack_o,  // taken in this clock
     output logic starving_o,  // nothing left to show
     // Beam
     input wire logic consume_i,  // last clock of a column
     output logic [1:0] display_o,  // colour index on show
+    output logic display_half_o,
     // For statistics
     output logic [6:0] fill_o  // entries in use
 );
   localparam int HeadBits = racebeam_pkg::PixelBits + 1;
   localparam int ShortBits = FifoShortLengthBits;
+  localparam int ValueBits = Dithering == 2 ? 3 : 2;  // {half, index}, or the index
   localparam int QueueSize = FifoEntries - 2;
   localparam int PointerBits = $clog2(FifoEntries);
   localparam logic [PointerBits-1:0] OnlyHead = PointerBits'(QueueSize + 1);
   localparam logic [HeadBits-1:0] ShortSize = HeadBits'(1 << ShortBits);
 
-  // Lengths are stored minus one; an entry is {length, index}.
+  // Lengths are stored minus one; an entry is {length, value}.
   logic signed [HeadBits-1:0] head_len_q, head_len_d;
-  logic [1:0] head_value_q, head_value_d;
+  logic [ValueBits-1:0] head_value_q, head_value_d;
   logic [ShortBits-1:0] tail_len_q, tail_len_d;
-  logic [1:0] tail_value_q, tail_value_d;
-  logic [ShortBits+1:0] queue_q[QueueSize];  // youngest last
+  logic [ValueBits-1:0] tail_value_q, tail_value_d;
+  logic [ShortBits+ValueBits-1:0] queue_q[QueueSize];  // youngest last
   logic [PointerBits-1:0] tail_ptr_q, tail_ptr_d;  // free entries
 
   // --- What the head does: the first of these that applies -----------------------------------
@@ -60,7 +66,8 @@ module interval_fifo #(
     else sum = head_len_q + HeadBits'(len_m1_i) + HeadBits'(1);
   end
   wire logic overflow = (head_len_q >= 0) & (sum < 0);
-  wire logic alike = FifoMerge != 0 && value_i == head_value_q;
+  wire logic [ValueBits-1:0] value = ValueBits'({half_i, value_i});
+  wire logic alike = FifoMerge != 0 && value == head_value_q;
   wire logic merge = listen & (alike | starving) & ~overflow;
   wire logic take = listen & ~merge & ~full;
 
@@ -69,7 +76,7 @@ module interval_fifo #(
     head_value_d = head_value_q;
     if (eat_head | split | merge) head_len_d = sum;
     if (take) head_len_d = {1'b0, len_m1_i};
-    if (merge | take) head_value_d = value_i;
+    if (merge | take) head_value_d = value;
     if (tracer_reset_i) begin
       head_len_d = '0;
       head_value_d = '0;
@@ -80,9 +87,9 @@ module interval_fifo #(
   wire logic add = split | take;
   wire logic eat_entry = (tail_len_q == '0) & consume_i & ~head_only;
   wire logic [ShortBits-1:0] pushed_len = split ? '1 : head_len_q[ShortBits-1:0];
-  wire logic [ShortBits+1:0] pushed = {pushed_len, head_value_q};
+  wire logic [ShortBits+ValueBits-1:0] pushed = {pushed_len, head_value_q};
 
-  logic [ShortBits+1:0] oldest;  // entry behind the tail
+  logic [ShortBits+ValueBits-1:0] oldest;  // entry behind the tail
   always_comb begin
     oldest = pushed;
     for (int i = 0; i < QueueSize; i++) if (tail_ptr_q == PointerBits'(i)) oldest = queue_q[i];
@@ -110,7 +117,9 @@ module interval_fifo #(
 
   assign ack_o = merge | take;
   assign starving_o = starving;
-  assign display_o = head_only ? head_value_q : tail_value_q;
+  wire logic [ValueBits-1:0] display = head_only ? head_value_q : tail_value_q;
+  assign display_o = display[1:0];
+  assign display_half_o = ValueBits > 2 && display[ValueBits-1];
   assign fill_o = 7'(FifoEntries) - 7'(tail_ptr_q);
 endmodule
 

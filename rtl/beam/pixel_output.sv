@@ -18,8 +18,13 @@ module pixel_output #(
     input wire logic shading_b_i,
     input wire logic starving_i,
     output logic [1:0] value_o,
+    output logic half_o,  // checkered: half a tone more
     // Pixel on show
     input wire logic [1:0] display_i,  // colour index
+    /* verilator lint_off UNUSEDSIGNAL */
+    input wire logic display_half_i,
+    input wire logic [10:0] x2_i,  // bit 1: odd column
+    /* verilator lint_on UNUSEDSIGNAL */
     input wire logic lock_i,
     /* verilator lint_off UNUSEDSIGNAL */  // two bits of each count
     input wire logic signed [racebeam_pkg::DrPortBits-1:0] dr2_x_i,
@@ -37,8 +42,8 @@ module pixel_output #(
   // --- Index of the interval on offer -----------------------------------------------------------
   wire logic [3:0] signs = {1'b0, ray_signs_i};
   wire logic [2:0] face = {1'b0, hit_face_i};
-  wire logic odd = y_i[0] & (Dithering != 0);
-  /* verilator lint_off UNUSEDSIGNAL */  // bit 0: the half that is dropped
+  wire logic odd = y_i[0] & (Dithering == 1);
+  /* verilator lint_off UNUSEDSIGNAL */  // bit 0: the half that is dropped, or on its own way
   wire logic [2:0] half_tones =
       (signs[hit_face_i] ? 3'd6 - face : 3'd1 + face) + 3'(odd);
   /* verilator lint_on UNUSEDSIGNAL */
@@ -48,12 +53,14 @@ module pixel_output #(
     else if (shading_b_i) value_o = half_tones[2:1];
     else value_o = 2'd3 - hit_face_i;
   end
+  assign half_o = Dithering == 2 && shading_b_i && !starving_i && half_tones[0];
 
   // --- Index on show ----------------------------------------------------------------------------
   // Bits 6:5, 5:4 and 7:6 of x, z and y of the chip's 10-bit direction.
   wire logic [1:0] pattern =
       (dr2_x_i[DrBits-4-:2] | dr2_z_i[DrBits-5-:2]) & dr2_y_i[DrBits-3-:2];
-  wire logic [1:0] plain = lock_i ? pattern : display_i;
+  wire logic raised = Dithering == 2 && display_half_i && x2_i[1] != y_i[0];
+  wire logic [1:0] plain = lock_i ? pattern : display_i + 2'(raised);
   wire logic [1:0] index = {plain[1], plain[0] ^ (inverse_i & plain[1])};
 
   // --- Colour {R, G, B}, 2 bits each ------------------------------------------------------------

@@ -85,6 +85,7 @@ module racebeam_top (
   // interval_fifo, pixel_output
   wire logic ack, starving;
   wire logic [1:0] display, value;
+  wire logic display_half, half;
   wire logic [6:0] fill;
   /* verilator lint_on UNUSEDSIGNAL */
 
@@ -344,10 +345,12 @@ module racebeam_top (
       .emit_i(emit),
       .len_m1_i(len_m1),
       .value_i(value),
+      .half_i(half),
       .ack_o(ack),
       .starving_o(starving),
       .consume_i(consume),
       .display_o(display),
+      .display_half_o(display_half),
       .fill_o(fill)
   );
 
@@ -358,7 +361,10 @@ module racebeam_top (
       .shading_b_i(shading_b),
       .starving_i(starving),
       .value_o(value),
+      .half_o(half),
       .display_i(display),
+      .display_half_i(display_half),
+      .x2_i(x2),
       .lock_i(lock),
       .dr2_x_i(dr2_x),
       .dr2_y_i(dr2_y),

@@ -283,10 +283,12 @@ void chip::bind_output() {
     u.emit_i(emit);
     u.len_m1_i(len_m1);
     u.value_i(value);
+    u.half_i(half);
     u.ack_o(ack);
     u.starving_o(starving);
     u.consume_i(consume);
     u.display_o(display);
+    u.display_half_o(display_half);
     u.fill_o(fill);
   }
   {
@@ -297,7 +299,10 @@ void chip::bind_output() {
     u.shading_b_i(shading_b);
     u.starving_i(starving);
     u.value_o(value);
+    u.half_o(half);
     u.display_i(display);
+    u.display_half_i(display_half);
+    u.x2_i(x2);
     u.lock_i(lock);
     u.dr2_i.bind(dr2);
     u.inverse_i(inverse);
@@ -344,7 +349,7 @@ chip_view chip::view() const {
           number(fill),
           number(dec),
           number(mask),
-          number(value),
+          number(value) | number(half) * HalfTone,
           lock.read()};
 }
 

@@ -123,6 +123,7 @@ class chip final : public wired_chip {
   // interval_fifo, pixel_output
   wire<1> ack{"ack"}, starving{"starving"};
   wire<2> display{"display"}, value{"value"};
+  wire<1> display_half{"display_half"}, half{"half"};
   wire<7> fill{"fill"};
 
   // Units

@@ -121,10 +121,10 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
 
   // 12: the pins.
-  const int uo =
-      pixel_output_core::uo({interval_fifo.display(k), s.lock, s.inverse, t.active, t.hsync_n,
-                             t.vsync_n, ray_stepper.dr2_q, s.palette, s.colours},
-                            k);
+  const int uo = pixel_output_core::uo(
+      {interval_fifo.display(k), s.lock, s.inverse, t.active, t.hsync_n, t.vsync_n,
+       ray_stepper.dr2_q, s.palette, s.colours, pixel_output_core::is_odd(t.x2, t.y)},
+      k);
   if (view)
     *view = {t.y,
              frame(),

@@ -9,6 +9,10 @@ namespace racebeam {
 /// Where subdivider is: what decision_datapath tests, and whether it moves.
 enum subdivider_state { StateLeft = 0, StateRight = 1, StateBisect = 2, StateReturn = 3 };
 
+/// A colour on its way through the FIFO: an index, and checkered, HalfTone where every other pixel
+/// has the next index.
+constexpr int IndexMask = 3, HalfTone = 4;
+
 /// What is asked of the world's table.
 enum look_way {
   LookThrough = 0,   // the room behind portal look_portal of the face

@@ -15,8 +15,9 @@ interval_fifo::interval_fifo(const sc_core::sc_module_name& name, const knobs& k
 }
 
 interval_fifo_core::inputs interval_fifo::inputs() const {
+  const bool half = knobs_.dithering == DitheringCheckered && half_i.value();
   return {tracer_reset_i.value() != 0, consume_i.value() != 0, emit_i.value() != 0,
-          len_m1_i.value(), value_i.value()};
+          len_m1_i.value(), value_i.value() | half * HalfTone};
 }
 
 void interval_fifo::seq() {
@@ -30,7 +31,9 @@ void interval_fifo::seq() {
 // The outputs that are registers only; at power-up too.
 void interval_fifo::drive() {
   starving_o.drive(core_.starving(knobs_));
-  display_o.drive(core_.display(knobs_));
+  const int display = core_.display(knobs_);
+  display_o.drive(display & IndexMask);
+  display_half_o.drive(display >= HalfTone);
   fill_o.drive(core_.fill(knobs_));
 }
 
@@ -40,7 +43,8 @@ void interval_fifo::comb() {
   if (emit_i.value()) {
     if (offer_events_.size() == 0)
       offer_events_ = emit_i->value_changed_event() | len_m1_i->value_changed_event() |
-                      value_i->value_changed_event() | consume_i->value_changed_event();
+                      value_i->value_changed_event() | half_i->value_changed_event() |
+                      consume_i->value_changed_event();
     next_trigger(offer_events_);
   }
 }

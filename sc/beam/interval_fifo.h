@@ -6,14 +6,15 @@
 //         64. When only the head is left and is used up the beam is starving: the head's length
 //         goes on counting below zero, and the next interval is shortened by that debt.
 // Size    10 entries: head 11 + 2 bits (signed length minus one), 8 x (6 + 2), tail 6 + 2.
+//         Checkered dithering: each entry has a bit more, the half tone.
 //         The interval 0..639 is shown one column late: the queue starts with one pixel of index 0.
 // Cycles  one accepted interval a clock; shown from the next clock on.
-// Comb    emit_i, len_m1_i, value_i, consume_i -> ack_o. starving_o, display_o, fill_o:
-//         registers only.
+// Comb    emit_i, len_m1_i, value_i, half_i, consume_i -> ack_o. starving_o, display_o,
+//         display_half_o, fill_o: registers only.
 // Stall   no ack while the head splits or the head alone is eaten; while full only an interval of
-//         the head's own colour is taken.
+//         the head's own colour is taken. Checkered, a colour is index and half tone.
 // Reset   one pixel of index 0 (tracer_reset_i).
-// Knobs   fifo_entries, fifo_short_length_bits, fifo_merge.
+// Knobs   fifo_entries, fifo_short_length_bits, fifo_merge, dithering.
 // Twin    rtl/beam/interval_fifo.sv
 // Test    tests/beam/interval_fifo_test.cpp
 // Source  contract section 14; article "Interval FIFO".
@@ -29,6 +30,7 @@
 #include "sc/base/constants.h"
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
+#include "sc/beam/codes.h"
 #include "sc/beam/knobs.h"
 
 namespace racebeam {
@@ -38,6 +40,7 @@ struct interval_fifo_core {
   static constexpr int MaxQueue = 62;
   static constexpr int HeadBits = 11;
 
+  // Values are colour indices, checkered also HalfTone.
   int head_value_q = 0, head_len_q = 0;  // length minus one
   int tail_value_q = 0, tail_len_q = 0;  // length minus one
   int tail_ptr_q = 0;                    // free entries; all but the head free: only the head
@@ -137,13 +140,14 @@ struct interval_fifo_core {
   template <class Visit>
   void each_register(Visit&& visit, const knobs& k) const {
     visit("head_len_q", HeadBits, [this] { return head_len_q; });
-    visit("head_value_q", 2, [this] { return head_value_q; });
+    const int value_bits = k.dithering == DitheringCheckered ? 3 : 2;
+    visit("head_value_q", value_bits, [this] { return head_value_q; });
     visit("tail_len_q", k.fifo_short_length_bits, [this] { return tail_len_q; });
-    visit("tail_value_q", 2, [this] { return tail_value_q; });
+    visit("tail_value_q", value_bits, [this] { return tail_value_q; });
     visit("tail_ptr_q", count_bits(k.fifo_entries), [this] { return tail_ptr_q; });
     for (int n = 0; n < queue_size(k); ++n)
-      visit(element("queue_q", n), k.fifo_short_length_bits + 2,
-            [this, n] { return queue_q[n].len_m1 << 2 | queue_q[n].value; });
+      visit(element("queue_q", n), k.fifo_short_length_bits + value_bits,
+            [this, n, value_bits] { return queue_q[n].len_m1 << value_bits | queue_q[n].value; });
   }
 
  private:
@@ -180,11 +184,13 @@ class interval_fifo_pins : public sc_core::sc_module {
   in_port<1> emit_i{"emit_i"};
   in_port<PixelBits> len_m1_i{"len_m1_i"};  // pixels minus one
   in_port<2> value_i{"value_i"};            // colour index
+  in_port<1> half_i{"half_i", OfKnob};      // checkered: half a tone more
   out_port<1> ack_o{"ack_o"};               // taken in this clock
   out_port<1> starving_o{"starving_o"};     // nothing left to show
   // Beam
   in_port<1> consume_i{"consume_i"};   // last clock of a column
   out_port<2> display_o{"display_o"};  // colour index on show
+  out_port<1> display_half_o{"display_half_o", OfKnob};
   // For statistics
   out_port<7> fill_o{"fill_o"};  // entries in use
 

@@ -13,6 +13,7 @@
 namespace racebeam {
 
 enum bisection_rule { BisectionPow2 = 0, BisectionMidpoint = 1, BisectionFloor = 2 };
+enum dithering_rule { DitheringOff = 0, DitheringOn = 1, DitheringCheckered = 2 };
 enum cosine_rule { CosineParabola = 0, CosineExact = 1 };
 enum stepping_rule { SteppingJumper = 0, SteppingFraction = 1, SteppingFractionDr2 = 2 };
 
@@ -30,7 +31,7 @@ struct knobs {
   int bisection = BisectionPow2;
   int stepping = SteppingJumper;
   int interlace = 1;
-  int dithering = 1;
+  int dithering = DitheringOn;
   int clocks_per_pixel = 2;
   int skip_shared_edges = 0;
   int speed = 0;

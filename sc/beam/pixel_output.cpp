@@ -28,7 +28,7 @@ int dr_bits(int dr, int index, const knobs& k) {
 }  // namespace
 
 int pixel_output_core::colour(const inputs& in, const knobs& k) {
-  int index = in.display;
+  int index = shown(in.display, in.odd);
   if (in.lock)
     index = (dr_bits(in.dr2[0], 6, k) | dr_bits(in.dr2[2], 5, k)) & dr_bits(in.dr2[1], 7, k);
   if (in.inverse) index ^= index >> 1;
@@ -49,19 +49,26 @@ pixel_output::pixel_output(const sc_core::sc_module_name& name, const knobs& k)
   SC_METHOD(show);
   sensitive << display_i << lock_i << inverse_i << palette_i << colours_i << active_i << hsync_ni
             << vsync_ni;
+  if (k.dithering == DitheringCheckered) sensitive << display_half_i << x2_i << y_i;
 }
 
 void pixel_output::offer() {
-  value_o.drive(pixel_output_core::value(hit_face_i.value(), ray_signs_i.value(), y_i.value() & 1,
-                                         shading_b_i.value(), starving_i.value(), knobs_));
+  const int value =
+      pixel_output_core::value(hit_face_i.value(), ray_signs_i.value(), y_i.value() & 1,
+                               shading_b_i.value(), starving_i.value(), knobs_);
+  value_o.drive(value & IndexMask);
+  half_o.drive(value >= HalfTone);
 }
 
 void pixel_output::show() {
-  uo_o.drive(
-      pixel_output_core::uo({display_i.value(), lock_i.value() != 0, inverse_i.value() != 0,
-                             active_i.value() != 0, hsync_ni.value() != 0, vsync_ni.value() != 0,
-                             dr2_i.signed_value(), palette_i.value(), colours_i.value()},
-                            knobs_));
+  const bool checkered = knobs_.dithering == DitheringCheckered;
+  const bool half = checkered && display_half_i.value();
+  const bool odd = checkered && pixel_output_core::is_odd(x2_i.value(), y_i.value());
+  uo_o.drive(pixel_output_core::uo(
+      {display_i.value() | half * HalfTone, lock_i.value() != 0, inverse_i.value() != 0,
+       active_i.value() != 0, hsync_ni.value() != 0, vsync_ni.value() != 0, dr2_i.signed_value(),
+       palette_i.value(), colours_i.value(), odd},
+      knobs_));
   if (lock_i.value()) {
     if (lock_events_.size() == 0)
       lock_events_ = dr2_i.x->value_changed_event() | dr2_i.y->value_changed_event() |

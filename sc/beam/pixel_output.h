@@ -2,12 +2,14 @@
 //
 // What    value_o is the colour index of the interval on offer: 0 while the beam starves, else by
 //         the axis of the wall hit (shading A) or by axis, side and line parity (shading B,
-//         dithered by scan line). uo_o is the pixel on show in TinyVGA order: hsync, B0, G0, R0,
-//         vsync, B1, G1, R1 from bit 7; black where not active. In the lock effect the index
-//         is a pattern of the ray direction's bits.
+//         dithered by scan line). Checkered, half_o tells that an interval lies between value_o
+//         and the next index; pixels on show whose column plus line is odd then have that one: this
+//         dithers behind the FIFO, which has to carry one bit more. uo_o is the pixel on show in
+//         TinyVGA order: hsync, B0, G0, R0, vsync, B1, G1, R1 from bit 7; black where not active.
+//         In the lock effect the index is a pattern of the ray direction's bits.
 // Size    no registers.
 // Cycles  combinational: no latency between the FIFO and the pins.
-// Comb    all inputs -> outputs; dr2_*_i only while lock_i.
+// Comb    all inputs -> outputs; dr2_*_i only while lock_i, x2_i and display_half_i only checkered.
 // Stall   none.
 // Reset   none.
 // Knobs   dithering, dr_bits.
@@ -21,28 +23,37 @@
 
 #include "sc/base/constants.h"
 #include "sc/base/unit.h"
+#include "sc/beam/codes.h"
 #include "sc/beam/knobs.h"
 
 namespace racebeam {
 
 /// Behaviour of pixel_output.
 struct pixel_output_core {
-  /// Colour index of an emitted interval.
+  /// Colour index of an emitted interval; checkered, with HalfTone if it lies between two.
   static int value(int hit_face, int signs, bool odd_line, bool shading_b, bool starving,
                    const knobs& k) {
     if (starving) return 0;
     if (!shading_b) return 3 - hit_face;
     const bool negative = bit_of(signs, hit_face);
-    const int odd = odd_line && k.dithering;
-    return (((negative ? 6 - hit_face : 1 + hit_face) + odd) & 7) >> 1;
+    const int tone = negative ? 6 - hit_face : 1 + hit_face;
+    if (k.dithering == DitheringCheckered) return tone >> 1 | (tone & 1) * HalfTone;
+    return ((tone + (odd_line && k.dithering)) & 7) >> 1;
   }
 
   struct inputs {
-    int display;
+    int display;  // with HalfTone
     bool lock, inverse, active, hsync_n, vsync_n;
     vec3 dr2;
     int palette, colours;
+    bool odd;  // column plus line
   };
+  /// Colour index on show, before pattern and inversion.
+  static constexpr int shown(int display, bool odd) {
+    return ((display & IndexMask) + (odd && display >= HalfTone)) & IndexMask;
+  }
+  /// Column plus line is odd, at a half-pixel position of a line.
+  static constexpr bool is_odd(int x2, int y) { return (x2 >> 1 ^ y) & 1; }
   /// The pixel, r * 16 + g * 4 + b; what is not active and the syncs do not matter.
   static int colour(const inputs& in, const knobs& k);
   /// r * 16 + g * 4 + b of the pins.
@@ -66,8 +77,11 @@ class pixel_output_pins : public sc_core::sc_module {
   in_port<1> shading_b_i{"shading_b_i"};
   in_port<1> starving_i{"starving_i"};
   out_port<2> value_o{"value_o"};
+  out_port<1> half_o{"half_o", OfKnob};  // checkered: half a tone more
   // Pixel on show
   in_port<2> display_i{"display_i"};  // colour index
+  in_port<1> display_half_i{"display_half_i", OfKnob};
+  in_port<11> x2_i{"x2_i", OfKnob};  // signed, half pixels
   in_port<1> lock_i{"lock_i"};
   axes_in<DrPortBits> dr2_i{"dr2", "_i"};  // signed
   in_port<1> inverse_i{"inverse_i"};

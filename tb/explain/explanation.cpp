@@ -21,10 +21,13 @@ PixelFate fate_of(const LineStory& story, int column) {
   return story.columns[column].clock > interval->clock ? PixelFate::InTime : PixelFate::Late;
 }
 
-std::string shading_text(const LineStory& story, int axis, bool negative) {
+std::string shading_text(const LineStory& story, int column, int axis, bool negative) {
   if (!story.shading_b) return fmt::format("shading by axis: {} faces", "xyz"[axis]);
-  return fmt::format("dithered shading: {} faces, seen by rays towards {}{}, {} line", "xyz"[axis],
-                     negative ? '-' : '+', "xyz"[axis], story.y & 1 ? "odd" : "even");
+  const bool checkered = story.dithering == DitheringCheckered;
+  const bool odd = (checkered ? column + story.y : story.y) & 1;
+  return fmt::format("dithered shading: {} faces, seen by rays towards {}{}, {} {}", "xyz"[axis],
+                     negative ? '-' : '+', "xyz"[axis], odd ? "odd" : "even",
+                     checkered ? "column plus line" : "line");
 }
 
 }  // namespace
@@ -80,7 +83,7 @@ std::string Explanation::why_index() const {
                    : "left over from the FIFO's own pixel") +
            inverted;
   if (interval->starving) return "dark: the beam was starving when the interval came" + inverted;
-  return shading_text(story, interval->axis, interval->negative) + inverted;
+  return shading_text(story, column, interval->axis, interval->negative) + inverted;
 }
 
 std::string Explanation::why_unknown() const {

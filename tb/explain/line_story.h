@@ -65,7 +65,7 @@ struct TracedInterval {
   int first, last;  ///< pixels 0..639; shown one column later
   IntervalEnd end;
   int clock;                   ///< of the line: the FIFO took it; -1: Never
-  int value;                   ///< colour index that it took
+  int value;                   ///< colour index that it took; checkered, the lower of two
   bool starving;               ///< index 0 whatever was hit
   int depth, level;            ///< of the tracer when it was offered
   std::vector<RoomOnWay> way;  ///< from the camera to the room whose face is hit
@@ -95,6 +95,7 @@ struct ShownColumn {
 struct LineStory {
   int frame, y;
   bool shading_b;         ///< by axis, side and line parity; else by axis
+  int dithering;          ///< dithering_rule: checkered by the parity of column plus line
   int tracer_begin = -1;  ///< first clock of the tracer
   std::vector<TracerStep> steps;
   std::vector<TracedInterval> intervals;

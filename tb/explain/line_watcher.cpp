@@ -51,6 +51,7 @@ LineStory LineWatcher::watch(const std::vector<int>& columns) {
   story_.frame = chip_.frame();
   story_.y = chip_.vga_timing.v_pos_q;
   story_.shading_b = choices(chip_, knobs_).shading_b;
+  story_.dithering = knobs_.dithering;
   clock_ = next_ = 0;
   column_ = step_begin_ = 0;
   for (bool last = false; !last; ++clock_) {
@@ -155,7 +156,7 @@ void LineWatcher::take(const chip_core& before, const chip_view& v) {
   pending_.first = before.subdivider.i1_q;
   pending_.last = v.i2;
   pending_.clock = clock_;
-  pending_.value = chip_.interval_fifo.head_value_q;
+  pending_.value = chip_.interval_fifo.head_value_q & IndexMask;
   pending_.starving = v.starving;
   pending_.step_begin = step_begin_;
   pending_.step_end = step_begin_ = story_.steps.size();
@@ -168,7 +169,8 @@ void LineWatcher::show(const chip_core& before, int uo) {
   ShownColumn& column = story_.columns[column_++];
   column.clock = clock_;
   column.colour = pixel_output_core::colour_of_pins(uo);
-  column.display = before.interval_fifo.display(knobs_);
+  const bool odd = (column_ - 1 + story_.y) & 1;
+  column.display = pixel_output_core::shown(before.interval_fifo.display(knobs_), odd);
   column.starving = before.interval_fifo.starving(knobs_);
   column.pattern = s.lock;
   column.inverse = s.inverse;
@@ -177,7 +179,7 @@ void LineWatcher::show(const chip_core& before, int uo) {
   column.palette = s.palette;
   for (int i = 0; i < 4; ++i)
     column.colours[i] = pixel_output_core::colour(
-        {i, false, false, true, true, true, {}, s.palette, s.colours}, knobs_);
+        {i, false, false, true, true, true, {}, s.palette, s.colours, false}, knobs_);
   column.idx2 = before.subdivider.idx2_q;
   column.ray = before.ray_stepper.dr2_q;
 }

@@ -24,14 +24,21 @@ bool shows_pattern(const GoldenWorld& world, const vec3& dr) {
   return world.lock == GoldenLock::Full;
 }
 
-std::uint8_t shown(const GoldenWorld& world, const vec3& dr, const GoldenHit* hit, int y) {
+/// Whether shading B shows the brighter of two indices.
+bool brighter(const GoldenWorld& world, int column, int y) {
+  if (world.dithering == DitheringCheckered) return (column + y) & 1;
+  return world.dithering == DitheringOn && (y & 1);
+}
+
+std::uint8_t shown(const GoldenWorld& world, const vec3& dr, const GoldenHit* hit, int column,
+                   int y) {
   const bool pattern = shows_pattern(world, dr);
   int index = 0;
   if (pattern) {
     index = (bits(dr[0], 5) | bits(dr[2], 4)) & bits(dr[1], 6);
   } else if (hit) {
-    const bool odd = (y & 1) && world.dithering;
-    index = world.shading_b ? ShadingB[hit->face][hit->negative][odd] : 3 - hit->face;
+    index = world.shading_b ? ShadingB[hit->face][hit->negative][brighter(world, column, y)]
+                            : 3 - hit->face;
   }
   if (world.inverse && index >= 2) index = 5 - index;
   return (pattern ? world.pattern_palette : world.palette)[index];
@@ -75,7 +82,8 @@ GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
                       : traced_line(tracer, world, rays, y, work);
     if (work) work->line_clocks.push_back(static_cast<int>(work->clocks - clocks));
     for (int column = 0; column < VisibleColumns; ++column)
-      picture.push_back(shown(world, rays[column], column ? &hits[column - 1] : nullptr, y));
+      picture.push_back(
+          shown(world, rays[column], column ? &hits[column - 1] : nullptr, column, y));
   }
   return picture;
 }

@@ -114,7 +114,7 @@ GoldenWorld::GoldenWorld(const knobs& k)
     : room_depth(k.room_depth_limit()),
       corner_bits(k.corner_bits),
       bisection(k.bisection),
-      dithering(k.dithering != 0) {}
+      dithering(k.dithering) {}
 
 GoldenWorld::GoldenWorld(int frame, const knobs& k) : GoldenWorld(k) {
   sequencer_core sequencer;

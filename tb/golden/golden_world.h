@@ -50,7 +50,7 @@ struct GoldenWorld {
   int corner_bits;                ///< width of the corner under test; 0: unlimited
   int bisection;                  ///< bisection_rule
   bool interlace;                 ///< odd lines show the position one step back
-  bool dithering;                 ///< shading B alternates between lines
+  int dithering;                  ///< dithering_rule: whether shading B alternates, and how
   bool shading_b;                 ///< by axis, side and line parity; else by axis (contract 15.1)
   bool inverse;                   ///< colour indices 2 and 3 change places
   Palette palette;                ///< of the rooms

@@ -41,9 +41,9 @@ const auto Settings = testing::Values(
     "fifo_entries=3", "fifo_entries=64", "fifo_short_length_bits=3", "hurry_threshold=-1",
     "dr_bits=8", "dr_bits=13", "corner_bits=11", "corner_factor_bits=6", "corner_factor_bits=12",
     "partial_products_cut=0", "bisection=midpoint", "stepping=fraction", "interlace=off",
-    "dithering=off", "clocks_per_pixel=1", "clocks_per_pixel=3", "skip_shared_edges=on", "speed=7",
-    "head_start=320", "bisection=floor", "stepping=fraction_dr2", "ddr_fraction_bits=4",
-    "corner_rounding=on", "fifo_merge=off", "camera_cosine=exact");
+    "dithering=off", "dithering=checkered", "clocks_per_pixel=1", "clocks_per_pixel=3",
+    "skip_shared_edges=on", "speed=7", "head_start=320", "bisection=floor", "stepping=fraction_dr2",
+    "ddr_fraction_bits=4", "corner_rounding=on", "fifo_merge=off", "camera_cosine=exact");
 INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs, Settings);
 INSTANTIATE_TEST_SUITE_P(LongSettings, LongChipKnobs, Settings);
 
@@ -92,6 +92,14 @@ TEST(KnobEffects, SkippingSharedEdgesSavesDecisionsAndLetsNothingStarve) {
   const frame_stats s = with("skip_shared_edges=on");
   EXPECT_LT(s.decisions(), chip().decisions() * 3 / 4);
   EXPECT_LT(s.starved_pixels, chip().starved_pixels / 100);
+}
+
+// Behind the FIFO six tones are told apart, before it four indices.
+TEST(KnobEffects, CheckeredDitheringMergesLess) {
+  constexpr int Dithered = 5119;
+  const frame_stats before = with("dithering=on", Dithered);
+  const frame_stats behind = with("dithering=checkered", Dithered);
+  EXPECT_LT(behind.merges, before.merges);
 }
 
 // Rooms and their decisions are the same; only the beam is nearer.

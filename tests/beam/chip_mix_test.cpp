@@ -21,20 +21,20 @@ constexpr int Flight = 3900;   // through portals, with an effect
 const int Units = static_cast<int>(chip_units(false).size());
 
 /// Compares the chip with the RTL of the units whose bit is set.
-void expect_the_chip(unsigned rtl_units, int frame) {
+void expect_the_chip(unsigned rtl_units, int frame, const knobs& k = {}) {
   unit_choices choices;
   std::string names;
   for (int n = 0; n < Units; ++n)
     if (rtl_units >> n & 1) {
       choices.by_unit[chip_units(false)[n]] = {unit_choice::Rtl, false,
-                                               beam_plugins({}).own(chip_units(false)[n])};
+                                               beam_plugins(k).own(chip_units(false)[n])};
       names += chip_units(false)[n] + " ";
     }
   SCOPED_TRACE("frame " + std::to_string(frame) + ", RTL: " + names);
-  SignalBench bench({{}, true, true, false, nullptr, choices});
+  SignalBench bench({k, true, true, false, nullptr, choices});
   bench.seek(frame);
   const auto got = bench.render();
-  const auto expected = CoreBench({}, frame).render();
+  const auto expected = CoreBench(k, frame).render();
   EXPECT_EQ(got.picture.pins_crc, expected.pins_crc);
   expect_equal(*got.stats, expected.stats);
 }
@@ -65,6 +65,14 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomMix, testing::Range(1, 9));
 INSTANTIATE_TEST_SUITE_P(LongSeeds, RandomMix, testing::Range(9, 51));
 
 TEST(AllRtl, GivesThePinsAndCountersOfTheCores) { expect_the_chip(~0u, Crowded); }
+
+// A knob whose bits cross ports of their own.
+TEST(AllRtl, GivesThePinsAndCountersOfTheCoresWithCheckers) {
+  constexpr int Dithered = 5119;
+  knobs k;
+  k.dithering = DitheringCheckered;
+  expect_the_chip(~0u, Dithered, k);
+}
 
 }  // namespace
 }  // namespace racebeam

@@ -203,5 +203,40 @@ TYPED_TEST(IntervalFifoKnobs, WithoutMergingEveryIntervalIsAnEntryUnlessTheBeamS
   EXPECT_TRUE(d.starving());
 }
 
+// Knob dithering = checkered: a colour is an index and a half tone.
+TYPED_TEST(IntervalFifoKnobs, CheckeredNeighboursOfOneIndexButOtherHalfTonesDoNotMerge) {
+  knobs k;
+  k.dithering = DitheringCheckered;
+  Dut<TypeParam> d(k);
+  const auto offer = [&d](int pixels, int value, int half) {
+    d.bench["half_i"].drive(half);
+    return d.offer(pixels, value);
+  };
+  EXPECT_TRUE(offer(2, 1, 0));
+  EXPECT_TRUE(offer(1, 1, 0));
+  EXPECT_EQ(d.fill(), 2) << "one colour: merged";
+  EXPECT_TRUE(offer(1, 1, 1));
+  EXPECT_TRUE(offer(2, 2, 1));
+  EXPECT_EQ(d.fill(), 4);
+  d.clock(1);
+  const int shown[6][2] = {{1, 0}, {1, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 1}};
+  for (const auto& [index, half] : shown) {
+    EXPECT_EQ(d.display(), index);
+    EXPECT_EQ(d.bench["display_half_o"].value(), static_cast<unsigned>(half));
+    d.clock(1);
+  }
+  EXPECT_TRUE(d.starving());
+}
+
+TYPED_TEST(IntervalFifoTest, WithoutTheKnobHalfTonesHaveNoEffect) {
+  auto& d = this->dut;
+  for (const int half : {0, 1, 0}) {
+    d.bench["half_i"].drive(half);
+    d.offer(1, 2);
+    EXPECT_EQ(d.fill(), 2);
+    EXPECT_EQ(d.bench["display_half_o"].value(), 0u);
+  }
+}
+
 }  // namespace
 }  // namespace racebeam

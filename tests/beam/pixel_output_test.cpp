@@ -169,6 +169,65 @@ TYPED_TEST(PixelOutputKnobs, WithoutDitheringShadingAIsUnchanged) {
     for (const int y : {0, 1}) EXPECT_EQ(d.value(face, 7, y, 0), 3 - face);
 }
 
+// Knob dithering = checkered: the half tone travels beside the lower index, and shows where column
+// plus line is odd.
+TYPED_TEST(PixelOutputKnobs, CheckeredShadingBIsTwoIndicesInTurnBehindTheFifo) {
+  knobs k;
+  k.dithering = DitheringCheckered;
+  Dut<TypeParam> d(k);
+  for (int face = 0; face < 3; ++face)
+    for (int signs = 0; signs < 8; ++signs)
+      for (const int y : {0, 1, -240, 239}) {
+        const auto& tones = Dithered[face][signs >> face & 1];
+        const int value = d.value(face, signs, y, 1), half = d.bench["half_o"].value();
+        EXPECT_EQ(value, tones[0]) << "whatever the line";
+        EXPECT_EQ(half, tones[1] - tones[0]);
+        d.bench["display_half_i"].drive(half);
+        d.bench["display_i"].drive(value);
+        for (int column = 0; column < 640; column += 53)
+          for (const int second : {0, 1}) {
+            d.bench["x2_i"].drive(static_cast<std::uint64_t>(2 * (column - 320) + second));
+            EXPECT_EQ(d.index(), tones[(column + y) & 1]) << "column " << column << " line " << y;
+          }
+      }
+}
+
+TYPED_TEST(PixelOutputKnobs, CheckeredNothingElseHasHalfTones) {
+  knobs k;
+  k.dithering = DitheringCheckered;
+  Dut<TypeParam> d(k);
+  for (int face = 0; face < 3; ++face)
+    for (const int y : {0, 1}) {
+      EXPECT_EQ(d.value(face, 7, y, 0), 3 - face) << "shading A";
+      EXPECT_EQ(d.bench["half_o"].value(), 0u);
+      EXPECT_EQ(d.value(face, 7, y, 1, 1), 0) << "starving";
+      EXPECT_EQ(d.bench["half_o"].value(), 0u);
+    }
+  d.bench["display_half_i"].drive(1);
+  d.bench["display_i"].drive(1);
+  d.bench["x2_i"].drive(2);
+  EXPECT_EQ(d.index(), 1) << "line 1";
+  d.bench["x2_i"].drive(0);
+  EXPECT_EQ(d.index(), 2);
+  d.bench["y_i"].drive(0);
+  EXPECT_EQ(d.index(), 1);
+  d.bench["lock_i"].drive(1);
+  d.bench["x2_i"].drive(2);
+  EXPECT_EQ(d.index(), 0) << "the ray pattern's";
+}
+
+// The chip's own has none.
+TYPED_TEST(PixelOutputTest, HalfTonesBehindTheFifoHaveNoEffect) {
+  auto& d = this->dut;
+  d.bench["display_half_i"].drive(1);
+  for (int n = 0; n < 8; ++n) {
+    d.bench["x2_i"].drive(static_cast<std::uint64_t>(n));
+    EXPECT_EQ(d.value(0, 0, n & 1, 1), Dithered[0][0][n & 1]);
+    EXPECT_EQ(d.bench["half_o"].value(), 0u);
+    EXPECT_EQ(d.uo(1, 2), byte_of(Colours[2][1], 1, 1));
+  }
+}
+
 // Knob dr_bits: the pattern is that of the direction in the scale of 10 bits.
 template <class Unit>
 void expect_pattern_of(int bits) {

@@ -92,6 +92,21 @@ TEST_F(CliRtlTest, AKnobThatTheModelAloneHasIsRefusedForItsRtlOnly) {
   expect(0, verify("stacks", {"--set", "camera_cosine=exact"}));
 }
 
+TEST_F(CliRtlTest, RtlOfBeforeAKnobFitsWithoutTheKnobsPorts) {
+  std::string text = read_file(rtl_file("interval_fifo"));
+  const auto change = [&text](const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  change("input wire logic half_i,", "");
+  change("output logic display_half_o,", "");
+  change("half_i", "1'b0");
+  change("assign display_half_o", "wire logic unseen");
+  write("mine.sv", text);
+  expect(0, verify("interval_fifo=mine.sv"));
+}
+
 TEST_F(CliRtlTest, AWrongPortNamesTheFile) {
   write("mine.sv", changed("stacks", "push_en_i,", "push_enable_i,\n    input logic push_en_i,"));
   Program run(folder.path(), verify("stacks=mine.sv"));

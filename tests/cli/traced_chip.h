@@ -193,11 +193,14 @@ class TracedChip {
     add("nav_negative", 1, [nav] { return nav().negative; });
     add("nav_op", 3, [nav] { return nav().op; });
     add("nav_move", 1, [nav] { return nav().move; });
-    add("display", 2, [&c, &k] { return c.interval_fifo.display(k); });
-    add("value", 2, [this, &c, &d, &k] {
+    add("display", 2, [&c, &k] { return c.interval_fifo.display(k) & IndexMask; });
+    add("display_half", 1, [&c, &k] { return c.interval_fifo.display(k) >= HalfTone; });
+    const auto value = [this, &c, &d, &k] {
       return pixel_output_core::value(d.hit_face_q, c.subdivider.signs(), view_.y & 1,
                                       choice_.shading_b, view_.starving, k);
-    });
+    };
+    add("value", 2, [value] { return value() & IndexMask; });
+    add("half", 1, [value] { return value() >= HalfTone; });
   }
 
   const knobs knobs_;

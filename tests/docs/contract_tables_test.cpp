@@ -187,7 +187,7 @@ TEST(ContractTables, Palettes) {
   for (const auto& row : rows("### 15.2"))
     for (int palette = 0; palette < 3; ++palette) {
       const int colour = pixel_output_core::colour(
-          {std::stoi(row[0]), false, false, true, true, true, {}, palette, 0}, {});
+          {std::stoi(row[0]), false, false, true, true, true, {}, palette, 0, false}, {});
       const std::string rgb = std::to_string(colour >> 4) + std::to_string(colour >> 2 & 3) +
                               std::to_string(colour & 3);
       EXPECT_EQ(rgb, row[palette + 1]) << "index " << row[0] << " of palette " << palette;

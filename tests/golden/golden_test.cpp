@@ -56,7 +56,8 @@ TEST(Trace4, FollowsTheKnobsThatChangeWhatIsMeant) {
   expect_equal_with(&knobs::max_room_depth, 2, 7167);
   expect_equal_with(&knobs::face_stack_depth, 4, 9535);
   expect_equal_with(&knobs::corner_bits, 11, 6400);
-  expect_equal_with(&knobs::dithering, 0, 5119);
+  expect_equal_with(&knobs::dithering, DitheringOff, 5119);
+  expect_equal_with(&knobs::dithering, DitheringCheckered, 5119);
   expect_equal_with(&knobs::camera_cosine, CosineExact, 1023);
   expect_equal_with(&knobs::bisection, BisectionMidpoint, 9279);
 }

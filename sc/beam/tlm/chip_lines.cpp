@@ -77,7 +77,8 @@ void chip_lines::observe(const chip_core& before, const chip_view& v, int clock)
   const bool in_return = v.state == StateReturn;
   if (v.emit && !in_return) given_up_ = !v.wall;
   if (v.emit && v.ack)
-    observer.interval({y_, clock, before.subdivider.i1_q, v.i2, chip_.interval_fifo.head_value_q,
+    observer.interval({y_, clock, before.subdivider.i1_q, v.i2,
+                       chip_.interval_fifo.head_value_q & IndexMask,
                        before.decision_datapath.room_q, before.decision_datapath.depth_q,
                        before.decision_datapath.hit_face_q, given_up_, decisions_});
   if (v.restart && v.i2 != LastPixel) observer.restart(y_, clock, v.i2 + 1);

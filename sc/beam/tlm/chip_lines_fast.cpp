@@ -38,8 +38,14 @@ line_setting chip_lines::setting() {
   const bool pattern = plain.lock || shown.lock;
   const auto colour = [&](int index) {
     return static_cast<std::uint8_t>(pixel_output_core::colour(
-        {index, false, plain.inverse, true, true, true, {}, plain.palette, plain.colours}, knobs_));
+        {index, false, plain.inverse, true, true, true, {}, plain.palette, plain.colours, false},
+        knobs_));
   };
+  const std::uint8_t of_index[] = {colour(0), colour(1), colour(2), colour(3)};
+  shown_colours colours;
+  for (const bool odd : {false, true})
+    for (int display = 0; display < 2 * HalfTone; ++display)
+      colours[odd][display] = of_index[pixel_output_core::shown(display, odd)];
   return {knobs_,
           raster_,
           chip_.program ? chip_.program->rooms : rooms(plain.scene_flags),
@@ -47,7 +53,7 @@ line_setting chip_lines::setting() {
           y_,
           knobs_.interlace && plain.scene_interlace && (y_ & 1),
           {plain, shown},
-          {colour(0), colour(1), colour(2), colour(3)},
+          colours,
           pattern && visible_ ? pixels_.data() : nullptr,
           options_.observer,
           visible_ ? &collector_.stats() : nullptr,
@@ -69,7 +75,7 @@ void chip_lines::run_fast(const line_setting& line) {
   const vga_timing_core begin = chip_.vga_timing;
   const bool pattern = line.choice[0].lock || line.choice[1].lock;
   if (options_.pins) indices_.resize(raster_.size());
-  beam_.begin({y_, visible_ && !pattern ? pixels_.data() : nullptr, line.colours,
+  beam_.begin({y_, visible_ && !pattern ? pixels_.data() : nullptr, &line.colours,
                visible_ ? &collector_.stats() : nullptr, options_.observer,
                options_.pins ? indices_.data() : nullptr});
   int clock = 0;
@@ -179,16 +185,18 @@ void chip_lines::show_pins(const vga_timing_core& begin, const line_setting& lin
   const auto& look = line.choice[0];
   for (int clock = 0; clock + 1 < raster_.size(); ++clock) {
     const auto t = raster_.at(clock, begin).comb({true, knobs_.speed}, knobs_.clocks_per_pixel);
-    pins_.push_back(static_cast<std::uint8_t>(pixel_output_core::uo({indices_[clock],
-                                                                     false,
-                                                                     look.inverse,
-                                                                     t.active,
-                                                                     t.hsync_n,
-                                                                     t.vsync_n,
-                                                                     {},
-                                                                     look.palette,
-                                                                     look.colours},
-                                                                    knobs_)));
+    pins_.push_back(
+        static_cast<std::uint8_t>(pixel_output_core::uo({indices_[clock],
+                                                         false,
+                                                         look.inverse,
+                                                         t.active,
+                                                         t.hsync_n,
+                                                         t.vsync_n,
+                                                         {},
+                                                         look.palette,
+                                                         look.colours,
+                                                         pixel_output_core::is_odd(t.x2, t.y)},
+                                                        knobs_)));
   }
 }
 

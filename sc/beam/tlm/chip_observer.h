@@ -14,7 +14,7 @@ struct taken_interval {
   int y;            ///< scan line, -273..251; visible ones are -240..239
   int clock;        ///< of the line, 0 is the first of the front porch; known from then on
   int first, last;  ///< pixels, 0..639
-  int value;        ///< colour index, 0..3
+  int value;        ///< colour index, 0..3; checkered, the lower one of two
   int room, depth;  ///< room that the tracer is in, rooms entered on the way to it
   int face;         ///< axis of the wall hit; of an earlier hit if given up
   bool given_up;    ///< no wall: the hurry rule ended it for a starving beam

@@ -26,11 +26,16 @@ void line_beam::show(int columns, int starved) {
     wishes_.stats->starved_pixels += starved;
     if (wishes_.row) wishes_.stats->seen_starved_pixels += starved;
   }
-  if (wishes_.row) {
-    const std::uint8_t colour = wishes_.colours[display()];
-    std::fill_n(wishes_.row + column_, columns, colour);
-    if (wishes_.observer) wishes_.observer->shown(wishes_.y, column_, columns, colour);
-  }
+  const auto colour = [&] { return (*wishes_.colours)[(column_ ^ wishes_.y) & 1][display()]; };
+  if (!wishes_.row) column_ += columns;
+  else if (display() < HalfTone) draw(columns, colour());
+  else
+    for (; columns > 0; --columns) draw(1, colour());
+}
+
+void line_beam::draw(int columns, std::uint8_t colour) {
+  std::fill_n(wishes_.row + column_, columns, colour);
+  if (wishes_.observer) wishes_.observer->shown(wishes_.y, column_, columns, colour);
   column_ += columns;
 }
 

@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,9 @@
 
 namespace racebeam {
 
+/// Colours by what the FIFO shows; [1] of the pixels whose column plus line is odd.
+using shown_colours = std::array<std::array<std::uint8_t, 2 * HalfTone>, 2>;
+
 class line_beam {
  public:
   line_beam(const knobs& k, const line_raster& raster, interval_fifo_core& fifo)
@@ -26,12 +30,12 @@ class line_beam {
   /// What is wanted of a line; nothing where a pointer is nullptr.
   struct wishes {
     int y;
-    std::uint8_t* row;  ///< 640 pixels in the colours of the display indices; nullptr, too,
-                        ///< where a pattern may hide them
-    const std::uint8_t* colours;  ///< 4
+    std::uint8_t* row;  ///< 640 pixels in the colours of what is on display; nullptr, too, where a
+                        ///< pattern may hide them
+    const shown_colours* colours;
     frame_stats* stats;
     chip_observer* observer;
-    std::uint8_t* indices;  ///< display index of every clock
+    std::uint8_t* indices;  ///< what is on display in every clock
   };
   /// To the first clock of a line.
   void begin(const wishes& w) {
@@ -52,7 +56,7 @@ class line_beam {
   int column() const { return column_; }
   /// Nothing is left to show in the clock advanced to.
   bool starving() const { return fifo_.starving(knobs_); }
-  /// Display index in the clock advanced to.
+  /// What is on display in the clock advanced to: an index, with HalfTone.
   int display() const { return fifo_.display(knobs_); }
 
  private:
@@ -65,6 +69,7 @@ class line_beam {
   void step(const interval_fifo_core::inputs& in);
   int starved(int columns) const;
   void show(int columns, int starved);
+  void draw(int columns, std::uint8_t colour);
   void pass(int until);
 
   const knobs knobs_;

@@ -13,6 +13,7 @@
 #include "sc/beam/scene_program.h"
 #include "sc/beam/sequencer.h"
 #include "sc/beam/tlm/chip_observer.h"
+#include "sc/beam/tlm/line_beam.h"
 #include "sc/beam/tlm/line_raster.h"
 
 namespace racebeam {
@@ -65,7 +66,7 @@ struct line_setting {
   int y;
   bool interlace;               ///< this line shows the previous camera position
   sequencer_outputs choice[2];  ///< while the tracer runs; [1] where dr2 asks for the pattern
-  std::uint8_t colours[4];      ///< of the display indices, without the pattern
+  shown_colours colours;        ///< without the pattern
   std::uint8_t* row;            ///< pixels that show the pattern, if it may hold; else nullptr
   chip_observer* observer;
   frame_stats* histograms;  ///< into which its histograms go, or nullptr

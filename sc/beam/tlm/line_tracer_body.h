@@ -40,11 +40,11 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       counts.seen_starved += !choice.lock && beam.starving();
       int colour;
       if (choice.lock) {
-        colour = pixel_output_core::colour(
-            {0, true, choice.inverse, true, true, true, rays.dr2_q, choice.palette, choice.colours},
-            k);
+        colour = pixel_output_core::colour({0, true, choice.inverse, true, true, true, rays.dr2_q,
+                                            choice.palette, choice.colours, false},
+                                           k);
       } else {
-        colour = line.colours[beam.display()];
+        colour = line.colours[(column ^ line.y) & 1][beam.display()];
       }
       line.row[column] = static_cast<std::uint8_t>(colour);
       if (Watch) line.observer->shown(line.y, column, 1, colour);
@@ -106,7 +106,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
         if (!given_up) add_slack(histograms->slack, line.raster, t, sub.i1_q, sub.i2_q);
         if (counts.first_emit < 0) counts.first_emit = t;
         if (Watch)
-          line.observer->interval({line.y, t, sub.i1_q, sub.i2_q, value, place.room_q,
+          line.observer->interval({line.y, t, sub.i1_q, sub.i2_q, value & IndexMask, place.room_q,
                                    place.depth_q, place.hit_face_q, given_up, counts.decisions()});
       } else {
         ++counts.stalls;
