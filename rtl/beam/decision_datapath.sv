@@ -86,6 +86,7 @@ module decision_datapath #(
     input  wire logic signed [racebeam_pkg::CornerPortBits-1:0] position_z_i,
     input  wire logic [racebeam_pkg::RoomPortBits-1:0] neighbour_i,
     input  wire logic [racebeam_pkg::PortalBits-1:0] back_i,
+    input  wire logic [3:0] edges_i,
     // pixel_output
     output logic [1:0] hit_face_o
     /* verilator lint_on UNUSEDSIGNAL */
@@ -202,6 +203,7 @@ module decision_datapath #(
 
   wire logic leaves = leave_i != '0;
   wire logic aside = SeveralPortals && leaves && !level_q[2];  // to the next portal
+  wire logic asks_edges = SkipSharedEdges == 2 && (!level_q[2] || second_q);
   wire logic to_previous = SeveralPortals && target_depth == depth_q && target_portal != portal_q;
 
   always_comb begin
@@ -209,12 +211,12 @@ module decision_datapath #(
     look_signs_o = ray_signs_i;
     look_portal_o = '0;
     look_way_o = racebeam_pkg::LookThrough;
-    if (climb_i || aside) begin
+    if (climb_i || aside || asks_edges) begin
       look_axis_o = face_q;
       look_signs_o = ~ray_signs_i;
       look_portal_o = back_q;
-      if (!climb_i) look_way_o = racebeam_pkg::LookNext;
-      else if (to_previous) look_way_o = racebeam_pkg::LookPrevious;
+      if (climb_i && to_previous) look_way_o = racebeam_pkg::LookPrevious;
+      else if (!climb_i && aside) look_way_o = racebeam_pkg::LookNext;
     end
     if (nav_line_i) begin
       look_axis_o = nav_axis_i;
@@ -405,7 +407,7 @@ module decision_datapath #(
   end
 
   // Edges of the room being entered that do not narrow the face it is entered by.
-  if (SkipSharedEdges != 0) begin : g_shared_edges
+  if (SkipSharedEdges == 1) begin : g_shared_edges
     logic [CornerBits-1:0] left_far_q[3], left_near_q[3], far[3], near_side[3];
     logic [3:0] shared_q[1 << racebeam_pkg::DepthBits];
 
@@ -443,6 +445,12 @@ module decision_datapath #(
         if (level_q == 3'd7 && second_q) shared_q[depth_d] <= shared_entered;
         else if (arrive) shared_q[depth_q] <= '0;
       end
+  end else if (SkipSharedEdges == 2) begin : g_table_edges
+    // The scene's, in the mirrored world; bit 0 of a level chooses the axis.
+    wire logic [1:0] mirrored = {ray_signs_i[axis_after(face_q)], ray_signs_i[axis_before(face_q)]};
+    always_comb
+      for (int n = 0; n < 4; n++) shared[n] = edges_i[2'(n) ^ {mirrored[n[0]], 1'b0}];
+    assign shared_entered = shared;
   end else begin : g_all_edges
     assign {shared, shared_entered} = '0;
   end

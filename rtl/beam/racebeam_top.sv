@@ -75,6 +75,7 @@ module racebeam_top (
   wire logic [racebeam_pkg::CornerPortBits-1:0] position_x, position_y, position_z;
   wire logic [racebeam_pkg::RoomPortBits-1:0] neighbour;
   wire logic [racebeam_pkg::PortalBits-1:0] back;
+  wire logic [3:0] edges;
   // navigator
   wire logic [racebeam_pkg::NavigatorPortBits-1:0] nav_position_x, nav_position_y, nav_position_z;
   wire logic [racebeam_pkg::RoomPortBits-1:0] nav_room;
@@ -319,6 +320,7 @@ module racebeam_top (
       .position_z_i(position_z),
       .neighbour_i(neighbour),
       .back_i(back),
+      .edges_i(edges),
       .hit_face_o(hit_face)
   );
 
@@ -336,7 +338,8 @@ module racebeam_top (
       .position_y_o(position_y),
       .position_z_o(position_z),
       .neighbour_o(neighbour),
-      .back_o(back)
+      .back_o(back),
+      .edges_o(edges)
   );
 
   interval_fifo u_interval_fifo (

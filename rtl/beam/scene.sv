@@ -7,7 +7,9 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module scene (
+module scene #(
+    parameter int SkipSharedEdges = 0
+) (
     // sequencer
     input  wire logic [5:0] scene_flags_i,
     /* verilator lint_off UNUSEDSIGNAL */  // upper bits, and what only scene_rom looks at
@@ -25,7 +27,8 @@ module scene (
     output logic signed [racebeam_pkg::CornerPortBits-1:0] position_y_o,
     output logic signed [racebeam_pkg::CornerPortBits-1:0] position_z_o,
     output logic [racebeam_pkg::RoomPortBits-1:0] neighbour_o,
-    output logic [racebeam_pkg::PortalBits-1:0] back_o
+    output logic [racebeam_pkg::PortalBits-1:0] back_o,
+    output logic [3:0] edges_o
 );
   localparam int CornerBits = racebeam_pkg::CornerBits;
   localparam int PortBits = racebeam_pkg::CornerPortBits;
@@ -125,6 +128,43 @@ module scene (
 
   assign neighbour_o = open ? racebeam_pkg::RoomPortBits'(neighbour) : '1;
   assign back_o = '0;
+
+  // Edges of the face looked at that lie on or beyond those of the room behind.
+  if (SkipSharedEdges == 2) begin : g_edges
+    wire logic high = !heights || !(look_axis_i == 2'd0 ? i[0] : j[0]);
+    logic [2:1] bend;  // of the tunnel, between this place and the next one
+    logic after_positive, after_negative, two_after_positive, two_after_negative;
+
+    always_comb begin
+      bend = 2'((j[2:0] - 3'(signs[2])) >> 1);
+      {after_negative, after_positive} = 2'b11;
+      {two_after_negative, two_after_positive} = {2{high}};
+      unique case (look_axis_i)
+        2'd0: begin
+          {after_negative, after_positive} = {2{high}};
+          {two_after_negative, two_after_positive} = 2'b11;
+        end
+        2'd1: begin
+          {after_negative, after_positive} = {2{main_type != (narrow && !j[0])}};
+          {two_after_negative, two_after_positive} = {2{main_type != (narrow && !i[0])}};
+        end
+        default:
+        if (tunnel) begin
+          after_positive = (bend[2] == bend[1]) != signs[2];
+          after_negative = !after_positive;
+          if (!heights) begin
+            two_after_positive = bend[2] == signs[2];
+            two_after_negative = !two_after_positive;
+          end
+        end
+      endcase
+      if (portals && odd_odd && look_axis_i != 2'd1)
+        {after_negative, after_positive, two_after_negative, two_after_positive} = '0;
+    end
+    assign edges_o = {after_negative, two_after_negative, after_positive, two_after_positive};
+  end else begin : g_no_edges
+    assign edges_o = '0;
+  end
 endmodule
 
 `default_nettype wire

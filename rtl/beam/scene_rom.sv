@@ -2,7 +2,9 @@
 // Contract: sc/beam/scene_rom.h
 //
 // The table is read from RoomFile by $readmemh: a row for each of Rooms rooms, from room 0 on, of
-// 30 words of 4 hex digits, the first word leftmost (`_` between words is allowed):
+// 36 words of 4 hex digits, the first word leftmost (`_` between digits is allowed):
+//   edges of portals 0..3 of face +x, of -x, of +y, of -y, of +z, of -z, a digit each: see
+//   sc/beam/scene.h; a row without these words has none
 //   half size x, y, z    position x, y, z (two's complement)
 //   portals 0..3 of face +x, of -x, of +y, of -y, of +z, of -z
 // A portal is {0, back (2 bits), room (13 bits)}; 1fff is none. Without a file there are no rooms.
@@ -34,12 +36,15 @@ module scene_rom #(
     output logic signed [racebeam_pkg::CornerPortBits-1:0] position_y_o,
     output logic signed [racebeam_pkg::CornerPortBits-1:0] position_z_o,
     output logic [racebeam_pkg::RoomPortBits-1:0] neighbour_o,
-    output logic [racebeam_pkg::PortalBits-1:0] back_o
+    output logic [racebeam_pkg::PortalBits-1:0] back_o,
+    output logic [3:0] edges_o
 );
   localparam int WordBits = 16;
   localparam int SizeWords = 6;
   localparam int PortalWords = 6 * racebeam_pkg::MaxPortals;
-  localparam int RowBits = (SizeWords + PortalWords) * WordBits;
+  localparam int EdgeRowBits = PortalWords * 4;
+  localparam int RoomRowBits = (SizeWords + PortalWords) * WordBits;
+  localparam int RowBits = EdgeRowBits + RoomRowBits;
   localparam int PortalRowBits = PortalWords * WordBits;
   localparam int RoomBits = racebeam_pkg::RoomPortBits;
   localparam int PortalBits = racebeam_pkg::PortalBits;
@@ -79,13 +84,17 @@ module scene_rom #(
 
   always_comb begin
     row = there(room_i) ? rows[room_i[AddressBits-1:0]] : '0;
-    {half_size_x_o, half_size_y_o, half_size_z_o} = row[RowBits-1-:3*WordBits];
-    {position_x_o, position_y_o, position_z_o} = row[RowBits-3*WordBits-1-:3*WordBits];
+    {half_size_x_o, half_size_y_o, half_size_z_o} = row[RoomRowBits-1-:3*WordBits];
+    {position_x_o, position_y_o, position_z_o} = row[RoomRowBits-3*WordBits-1-:3*WordBits];
 
     face = {look_axis_i, look_axis_i == 2'd2 ? look_signs_i[2]
         : look_axis_i == 2'd1 ? look_signs_i[1] : look_signs_i[0]};
     through = there(room_i) ? portal_of(row[PortalRowBits-1:0], face, look_portal_i)
         : WordBits'(NoRoom);
+
+    edges_o = '0;
+    for (int n = 0; n < PortalWords; n++)
+      if ({face, look_portal_i} == 5'(n)) edges_o = row[RowBits-1-4*n-:4];
 
     // The portal beside, in the face towards us of the room behind.
     room_behind = through[RoomBits-1:0];

@@ -258,6 +258,7 @@ void chip::bind_tracer() {
     u.position_i.bind(position);
     u.neighbour_i(neighbour);
     u.back_i(back);
+    u.edges_i(edges);
     u.hit_face_o(hit_face);
   }
   {
@@ -272,6 +273,7 @@ void chip::bind_tracer() {
     u.position_o.bind(position);
     u.neighbour_o(neighbour);
     u.back_o(back);
+    u.edges_o(edges);
   }
 }
 

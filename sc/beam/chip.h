@@ -113,6 +113,7 @@ class chip final : public wired_chip {
   axes_wire<CornerPortBits> half_size{"half_size"}, position{"position"};
   wire<RoomPortBits> neighbour{"neighbour"};
   wire<PortalBits> back{"back"};
+  wire<4> edges{"edges"};
   // navigator
   axes_wire<NavigatorPortBits> nav_position{"nav_position"};
   wire<RoomPortBits> nav_room{"nav_room"};

@@ -10,7 +10,8 @@ namespace {
 
 /// The room and the room looked for, from the chip's scene or a program's table.
 void look_up(const scene_program* program, int flags, int id,
-             const decision_datapath_core::lookup& look, decision_datapath_core::inputs& to) {
+             const decision_datapath_core::lookup& look, const knobs& k,
+             decision_datapath_core::inputs& to) {
   const bool negative = bit_of(look.signs, look.axis);
   const auto room =
       program ? scene_rom_core::geometry(*program, id) : scene_core::geometry(flags, id);
@@ -21,8 +22,11 @@ void look_up(const scene_program* program, int flags, int id,
         scene_rom_core::look(program->rooms, id, look.axis, negative, look.portal, look.way);
     to.neighbour = beyond.room;
     to.back = beyond.back;
+    to.edges = beyond.edges;
   } else {
     to.neighbour = scene_core::neighbour(flags, id, look.axis, negative);
+    if (k.skip_shared_edges == SharedEdgesTable)
+      to.edges = scene_core::shared_edges(flags, id, look.axis, negative);
   }
 }
 
@@ -116,7 +120,7 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   place.signs = subdivider.signs();
   place.top_tag = top.tag;
   place.face_read = stacks.face(decision_datapath.depth_q, k);
-  look_up(program, s.scene_flags, decision_datapath.room_q, decision_datapath.look(place, k),
+  look_up(program, s.scene_flags, decision_datapath.room_q, decision_datapath.look(place, k), k,
           place);
   place.interlace = k.interlace && s.scene_interlace && (t.y & 1) && !t.nav_line;
 
@@ -229,7 +233,7 @@ void fly(const sequencer_outputs& s, const knobs& k, const scene_program* progra
     in.nav_op = nav.op;
     in.nav_move = nav.move;
     in.velocity = s.velocity;
-    look_up(program, s.scene_flags, datapath.room_q, datapath.look(in, k), in);
+    look_up(program, s.scene_flags, datapath.room_q, datapath.look(in, k), k, in);
     navigator.clock(
         {s.nav_reset, s.start, s.start_room, in.active_start, datapath.corner_q, datapath.room_q},
         k);

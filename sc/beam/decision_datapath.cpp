@@ -47,6 +47,7 @@ decision_datapath_core::inputs decision_datapath::inputs() const {
   in.position = position_i.signed_value();
   in.neighbour = neighbour_i.value();
   in.back = back_i.value();
+  in.edges = edges_i.value();
   in.interlace =
       !no_interlace_i.value() && scene_interlace_i.value() && (y_i.value() & 1) && !in.nav_line;
   return in;
@@ -69,7 +70,7 @@ void decision_datapath::seq() {
   fdata_o.drive(core_.face_code());
   decide();  // with the rays of before the edge; again when they change
   if (core_.face_q != face || core_.dom_q != dom || (core_.level_q == 7) != leaf ||
-      knobs_.portals_per_face > 1)
+      knobs_.portals_per_face > 1 || knobs_.skip_shared_edges == SharedEdgesTable)
     face_moved_.notify(sc_core::SC_ZERO_TIME);
 }
 

@@ -20,8 +20,10 @@
 //         root, depth 0, level 2, at the camera. face, dom and hit_face are not reset.
 // Knobs   dr_bits, corner_bits, corner_factor_bits, partial_products_cut, max_room_depth,
 //         face_stack_depth, skip_shared_edges (the levels of an edge that lies on the edge of the
-//         face are passed over; not for the second and later portals of a face). From the scene:
-//         portals_per_face.
+//         face are passed over. on: found by comparing rooms and kept by depth; not for the second
+//         and later portals of a face, nor again for the first. table: while it is at levels 0 to
+//         3, or half way into a room, it looks back through the portal it came by, and edges_i says
+//         which; no registers). From the scene: portals_per_face.
 // Twin    rtl/beam/decision_datapath.sv
 // Test    tests/beam/decision_datapath_test.cpp
 // Source  contract section 11; article "Geometry tests", "Subdeterminant calculation".
@@ -91,6 +93,7 @@ class decision_datapath_pins : public sc_core::sc_module {
   axes_in<CornerPortBits> position_i{"position", "_i"};  // signed
   in_port<RoomPortBits> neighbour_i{"neighbour_i"};
   in_port<PortalBits> back_i{"back_i"};
+  in_port<4> edges_i{"edges_i", OfKnob};  // of the face looked through: no test needed
   // pixel_output
   out_port<2> hit_face_o{"hit_face_o"};  // axis of the wall hit
 

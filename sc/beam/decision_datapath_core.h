@@ -57,7 +57,7 @@ struct decision_datapath_core {
   bool wall_q = false, second_q = false, descend_q = false;
   // Several portals in a face only: the one the room was entered by, and the one that leads back.
   int portal_q = 0, back_q = 0;
-  // skip_shared_edges only: extent of the room being left, and per depth the levels (bits) that
+  // skip_shared_edges=on only: extent of the room being left, and per depth the levels (bits) that
   // need no decision.
   vec3 left_far_q{}, left_near_q{};
   int shared_q[16]{};
@@ -81,6 +81,7 @@ struct decision_datapath_core {
     // scene: the current room, the room looked for, and its portal that leads back here
     vec3 half_size, position;
     int neighbour, back;
+    int edges;       // of the face looked through: on or beyond those of the room behind
     bool interlace;  // this line shows the previous camera position
   };
 
@@ -100,7 +101,8 @@ struct decision_datapath_core {
     int portal, way;  // look_way
   };
   /// A climb looks back through the face the room was entered by, so does a move to the portal
-  /// before or after; else the lookup follows the ray.
+  /// before or after, and with skip_shared_edges=table every test of a portal's edge; else the
+  /// lookup follows the ray.
   lookup look(const inputs& in, const knobs& k) const;
   /// A room is entered: the face stack is written at this depth.
   [[gnu::always_inline]] bool face_write(const inputs& in) const {
@@ -139,7 +141,7 @@ struct decision_datapath_core {
     visit("descend_q", 1, [this] { return descend_q; });
     visit("portal_q", PortalBits, [this] { return portal_q; });
     visit("back_q", PortalBits, [this] { return back_q; });
-    if (!k.skip_shared_edges) return;
+    if (k.skip_shared_edges != SharedEdgesOn) return;
     for (int a = 0; a < 3; ++a) {
       visit(element("g_shared_edges.left_far_q", a), k.corner_bits,
             [this, a] { return left_far_q[a]; });
@@ -174,14 +176,17 @@ struct decision_datapath_core {
     return level < 2 && a != face_q ? 1 : -1;
   }
   /// The first level from `level` on that needs a decision.
-  [[gnu::always_inline]] int next_test(int level, const knobs& k) const {
-    if (k.skip_shared_edges)
-      while (level < 4 && (shared_q[depth_q] >> level & 1)) ++level;
+  [[gnu::always_inline]] int next_test(int level, const inputs& in, const knobs& k) const {
+    if (k.skip_shared_edges) {
+      const int shared = k.skip_shared_edges == SharedEdgesOn ? shared_q[depth_q] : table_edges(in);
+      while (level < 4 && (shared >> level & 1)) ++level;
+    }
     return level < 4 ? level : 6;
   }
   void descend(const inputs& in, const knobs& k);
   void enter(const inputs& in, const knobs& k);
   int shared_edges(const inputs& in, const knobs& k) const;
+  int table_edges(const inputs& in) const;
   void go_to_test(int level, const inputs& in);
   void arrive(const inputs& in);
   void leave(const inputs& in);

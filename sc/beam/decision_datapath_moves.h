@@ -58,6 +58,8 @@ namespace racebeam {
   }
   if (in.leave && level_q < 4 && k.portals_per_face > 1)
     return {face_q, ~in.signs & 7, back_q, LookNext};
+  if (k.skip_shared_edges == SharedEdgesTable && (level_q < 4 || second_q))
+    return {face_q, ~in.signs & 7, back_q, LookThrough};
   return {new_face(in.leave), in.signs, 0, LookThrough};
 }
 
@@ -110,7 +112,7 @@ namespace racebeam {
     if (in.neighbour == SolidRoom) return;
     for (int a = 0; a < 3; ++a) {
       const int r = mirrored_position(a, in);
-      if (k.skip_shared_edges) {
+      if (k.skip_shared_edges == SharedEdgesOn) {
         left_far_q[a] = r + in.half_size[a];
         left_near_q[a] = r - in.half_size[a];
       }
@@ -134,7 +136,7 @@ namespace racebeam {
   } else if (depth_q == 0 || level_q >= 4) {
     ++level_q;              // off the tree, nav_line only
   } else if (was_second) {  // arrive behind the next portal
-    if (k.skip_shared_edges) shared_q[depth_q] = 0;
+    if (k.skip_shared_edges == SharedEdgesOn) shared_q[depth_q] = 0;
     arrive(in);
   } else if (bit && k.portals_per_face > 1 && in.neighbour != SolidRoom) {
     leave(in);
@@ -142,15 +144,15 @@ namespace racebeam {
   } else {
     if (bit) hit_wall(face_q);
     else wall_q = false;
-    go_to_test(next_test(level_q + 1, k), in);
+    go_to_test(next_test(level_q + 1, in, k), in);
   }
 }
 
 // The second half of entering a room: from the camera's side of its centre to its first test.
 [[gnu::always_inline]] inline void decision_datapath_core::enter(const inputs& in, const knobs& k) {
   depth_q = (depth_q + 1) & low_bits(DepthBits);
-  if (k.skip_shared_edges) shared_q[depth_q] = shared_edges(in, k);
-  level_q = next_test(0, k);
+  if (k.skip_shared_edges == SharedEdgesOn) shared_q[depth_q] = shared_edges(in, k);
+  level_q = next_test(0, in, k);
   arrive(in);
 }
 
@@ -183,6 +185,16 @@ namespace racebeam {
     const int r = mirrored_position(a, in), s = in.half_size[a];
     const int beyond = level < 2 ? r + s - left_far_q[a] : left_near_q[a] - (r - s);
     if (wrap_signed(beyond, k.corner_bits) >= 0) shared |= 1 << level;
+  }
+  return shared;
+}
+
+// The same from the scene, whose edges do not know of the mirrored world.
+[[gnu::always_inline]] inline int decision_datapath_core::table_edges(const inputs& in) const {
+  int shared = 0;
+  for (int level = 0; level < 4; ++level) {
+    const int a = (face_q + 2 - (level & 1)) % 3;
+    shared |= (in.edges >> (level ^ (bit_of(in.signs, a) ? 2 : 0)) & 1) << level;
   }
   return shared;
 }

@@ -14,6 +14,7 @@ namespace racebeam {
 
 enum bisection_rule { BisectionPow2 = 0, BisectionMidpoint = 1, BisectionFloor = 2 };
 enum dithering_rule { DitheringOff = 0, DitheringOn = 1, DitheringCheckered = 2 };
+enum shared_edges_rule { SharedEdgesOff = 0, SharedEdgesOn = 1, SharedEdgesTable = 2 };
 enum cosine_rule { CosineParabola = 0, CosineExact = 1 };
 enum stepping_rule { SteppingJumper = 0, SteppingFraction = 1, SteppingFractionDr2 = 2 };
 
@@ -33,7 +34,7 @@ struct knobs {
   int interlace = 1;
   int dithering = DitheringOn;
   int clocks_per_pixel = 2;
-  int skip_shared_edges = 0;
+  int skip_shared_edges = SharedEdgesOff;
   int speed = 0;
   int head_start = 0;
   int stepping_fraction_bits = 9;

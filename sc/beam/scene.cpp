@@ -47,6 +47,14 @@ int neighbour_z(int flags, const cell& c, int d) {
   return room_id(c.i, c.j + d, c.k ^ toggle);
 }
 
+// Edges of a face (scene.h): towards positive and negative coordinates of the axis two after the
+// face's, and of the axis after.
+constexpr int TwoAfterPositive = 1, AfterPositive = 2, TwoAfterNegative = 4, AfterNegative = 8;
+int edges(bool two_after, bool after) {
+  return two_after * (TwoAfterPositive | TwoAfterNegative) |
+         after * (AfterPositive | AfterNegative);
+}
+
 }  // namespace
 
 scene_core::room scene_core::geometry(int flags, int id) {
@@ -91,7 +99,29 @@ int scene_core::neighbour(int flags, int id, int axis, bool negative) {
   }
 }
 
-scene::scene(const sc_core::sc_module_name& name) : scene_pins(name) {
+// Rooms side by side have the same section, but for heights, what portals and windows narrow, and
+// the bends of the tunnel.
+int scene_core::shared_edges(int flags, int id, int axis, bool negative) {
+  const cell c(flags, id);
+  const bool portal = (flags & ScenePortals) && c.odd_odd;
+  const bool odd_i = c.i & 1, odd_j = c.j & 1;
+  if (axis == 1) {
+    const bool narrow = flags & SceneNarrow;
+    return edges(c.main_type != (narrow && !odd_i), c.main_type != (narrow && !odd_j));
+  }
+  if (portal) return 0;
+  const bool high = !(flags & SceneHeights) || !(axis == 0 ? odd_i : odd_j);
+  if (axis == 0) return edges(true, high);
+  if (!(flags & SceneTunnel)) return edges(high, true);
+  const int bend = c.j - negative;  // between this place and the next one
+  const bool left = bit_of(bend, 2) == bit_of(bend, 1), up = !bit_of(bend, 2);
+  const int x = left != negative ? AfterPositive : AfterNegative;
+  const int y = up != negative ? TwoAfterPositive : TwoAfterNegative;
+  return flags & SceneHeights ? edges(high, false) | x : x | y;
+}
+
+scene::scene(const sc_core::sc_module_name& name, const knobs& k)
+    : scene_pins(name), has_edges_(k.skip_shared_edges == SharedEdgesTable) {
   SC_HAS_PROCESS(scene);
   SC_METHOD(comb);
   sensitive << scene_flags_i << room_i << look_axis_i << look_signs_i;
@@ -102,7 +132,9 @@ void scene::comb() {
   const auto room = scene_core::geometry(flags, id);
   half_size_o.drive(room.half_size);
   position_o.drive(room.position);
-  neighbour_o.drive(scene_core::neighbour(flags, id, axis, bit_of(look_signs_i.value(), axis)));
+  const bool negative = bit_of(look_signs_i.value(), axis);
+  neighbour_o.drive(scene_core::neighbour(flags, id, axis, negative));
+  if (has_edges_) edges_o.drive(scene_core::shared_edges(flags, id, axis, negative));
 }
 
 }  // namespace racebeam

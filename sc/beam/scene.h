@@ -3,14 +3,19 @@
 // What    rooms on a 9 x 9 grid of 256 units; flags choose one of eight geometries (windows,
 //         portals, blocked cells, heights, tunnel, narrow). R is the room's centre, S its half
 //         size, neighbour the room through the face `axis`, towards negative coordinates where
-//         signs has the axis' bit; all ones where the face is solid. A face has one portal at most:
-//         look_portal_i and look_way_i have no effect, back is 0.
+//         signs has the axis' bit; all ones where the face is solid. edges tells which edges of the
+//         face need no test by rays that come through it: they lie on or beyond the edges of the
+//         room behind. Bit 0 is the edge towards positive coordinates of the axis two after the
+//         face's (z, x, y for x, y, z), bit 1 that of the axis after, bits 2 and 3 those towards
+//         negative ones; of no meaning where the face is solid, 0 unless the knob asks. A face has
+//         one portal at most: look_portal_i and look_way_i have no effect, back is 0.
 // Size    no registers. Room id {k(1), j(4), i(4)}, higher bits have no effect; coordinates
 //         12 bits, modulo 4096.
 // Cycles  combinational.
 // Comb    all inputs -> all outputs (S and R do not depend on look_axis_i, look_signs_i).
 // Stall   none.
 // Reset   none.
+// Knobs   skip_shared_edges: table has edges_o.
 // Twin    rtl/beam/scene.sv
 // Test    tests/beam/scene_test.cpp
 // Source  contract sections 12 and 17.2; article "Scene structure".
@@ -22,6 +27,7 @@
 #include "sc/base/constants.h"
 #include "sc/base/unit.h"
 #include "sc/beam/codes.h"
+#include "sc/beam/knobs.h"
 
 namespace racebeam {
 
@@ -34,6 +40,8 @@ struct scene_core {
   static room geometry(int flags, int id);
   /// Room behind a face, SolidRoom if there is none.
   static int neighbour(int flags, int id, int axis, bool negative);
+  /// edges_o; in the geometries of the demo.
+  static int shared_edges(int flags, int id, int axis, bool negative);
 };
 
 /// Pins of scene and scene_rom.
@@ -50,7 +58,8 @@ class scene_pins : public sc_core::sc_module {
   axes_out<CornerPortBits> half_size_o{"half_size", "_o"};
   axes_out<CornerPortBits> position_o{"position", "_o"};  // signed
   out_port<RoomPortBits> neighbour_o{"neighbour_o"};      // SolidRoom: none
-  out_port<PortalBits> back_o{"back_o"};  // portal of the neighbour's face that leads back
+  out_port<PortalBits> back_o{"back_o"};   // portal of the neighbour's face that leads back
+  out_port<4> edges_o{"edges_o", OfKnob};  // of portal look_portal in the face: no test needed
 
   explicit scene_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
 };
@@ -61,10 +70,12 @@ class scene : public scene_pins {
   using pins = scene_pins;
   static constexpr const char* unit_name = "scene";
 
-  explicit scene(const sc_core::sc_module_name& name);
+  scene(const sc_core::sc_module_name& name, const knobs& k);
 
  private:
   void comb();
+
+  const bool has_edges_;
 };
 
 }  // namespace racebeam

@@ -17,11 +17,13 @@
 
 namespace racebeam {
 
-/// A portal in a face of a room: the room behind it, and which portal of the opposite face there
-/// leads back.
+/// A portal in a face of a room: the room behind it, which portal of the opposite face there leads
+/// back, and which edges of this room's face lie on or beyond those of the room behind (scene.h,
+/// edges_o).
 struct portal_row {
   std::uint16_t room = SolidRoom;
   std::uint8_t back = 0;
+  std::uint8_t edges = 0;
 };
 
 struct room_row {

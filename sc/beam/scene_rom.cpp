@@ -26,6 +26,7 @@ void scene_rom::comb() {
   position_o.drive(room.position);
   neighbour_o.drive(beyond.room);
   back_o.drive(beyond.back);
+  edges_o.drive(beyond.edges);
 }
 
 }  // namespace racebeam

@@ -5,8 +5,9 @@
 //         LookNext and LookPrevious are asked in the room behind a portal, with the face and the
 //         portal that lead back: they answer the room behind the portal beside, in the order of
 //         the face that was left. back_o is the portal that leads back from the room answered.
-// Size    no registers; a row of the table has 6 x 16 bits of sizes and places and 24 x 15 bits of
-//         portals.
+//         edges_o is of portal look_portal of the room asked in, whatever the way.
+// Size    no registers; a row of the table has 6 x 16 bits of sizes and places, 24 x 15 bits of
+//         portals, and 24 x 4 bits of edges for who skips shared ones.
 // Cycles  combinational; LookNext and LookPrevious read the table twice.
 // Comb    all inputs but scene_flags_i -> all outputs (S and R depend on room_i only).
 // Stall   none.
@@ -35,7 +36,7 @@ struct scene_rom_core {
   }
   /// Half size and position of a room.
   static scene_core::room geometry(const scene_program& program, int id);
-  /// What is behind a face; SolidRoom if nothing.
+  /// What is behind a face, SolidRoom if nothing; with the edges of the portal asked about.
   static portal_row look(const std::vector<room_row>& rooms, int id, int axis, bool negative,
                          int portal, int way) {
     if (axis > 2) return {};
@@ -43,8 +44,11 @@ struct scene_rom_core {
     const portal_row through = row(rooms, id).portals[face][portal];
     if (way == LookThrough) return through;
     const int beside = through.back + (way == LookNext ? 1 : -1);
-    if (beside < 0 || beside >= MaxPortals) return {};
-    return row(rooms, through.room).portals[face ^ 1][beside];
+    portal_row answer;
+    if (beside >= 0 && beside < MaxPortals)
+      answer = row(rooms, through.room).portals[face ^ 1][beside];
+    answer.edges = through.edges;
+    return answer;
   }
 };
 

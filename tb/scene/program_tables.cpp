@@ -59,10 +59,12 @@ std::string shot_table(const scene_program& program) {
 }
 
 std::string room_table(const scene_program& program) {
-  constexpr int WordDigits = 4;
+  constexpr int WordDigits = 4, EdgeDigits = 1;
   std::string table;
   for (const room_row& room : program.rooms) {
     Row row;
+    for (const auto& face : room.portals)
+      for (const portal_row& portal : face) row.add(portal.edges, EdgeDigits);
     row.add(room.half_size, WordDigits);
     row.add(room.position, WordDigits);
     for (const auto& face : room.portals)

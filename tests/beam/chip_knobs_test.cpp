@@ -6,7 +6,9 @@
 
 #include "tb/bench/core_bench.h"
 #include "tb/bench/signal_bench.h"
+#include "tb/scene/scene_reader.h"
 #include "tb/show/set_knob.h"
+#include "tb/show/show.h"
 #include "tests/support/expect_stats.h"
 
 namespace racebeam {
@@ -42,8 +44,9 @@ const auto Settings = testing::Values(
     "dr_bits=8", "dr_bits=13", "corner_bits=11", "corner_factor_bits=6", "corner_factor_bits=12",
     "partial_products_cut=0", "bisection=midpoint", "stepping=fraction", "interlace=off",
     "dithering=off", "dithering=checkered", "clocks_per_pixel=1", "clocks_per_pixel=3",
-    "skip_shared_edges=on", "speed=7", "head_start=320", "bisection=floor", "stepping=fraction_dr2",
-    "ddr_fraction_bits=4", "corner_rounding=on", "fifo_merge=off", "camera_cosine=exact");
+    "skip_shared_edges=on", "skip_shared_edges=table", "speed=7", "head_start=320",
+    "bisection=floor", "stepping=fraction_dr2", "ddr_fraction_bits=4", "corner_rounding=on",
+    "fifo_merge=off", "camera_cosine=exact");
 INSTANTIATE_TEST_SUITE_P(Settings, ChipKnobs, Settings);
 INSTANTIATE_TEST_SUITE_P(LongSettings, LongChipKnobs, Settings);
 
@@ -92,6 +95,48 @@ TEST(KnobEffects, SkippingSharedEdgesSavesDecisionsAndLetsNothingStarve) {
   const frame_stats s = with("skip_shared_edges=on");
   EXPECT_LT(s.decisions(), chip().decisions() * 3 / 4);
   EXPECT_LT(s.starved_pixels, chip().starved_pixels / 100);
+}
+
+// The scene's bits say what comparing rooms says, in every clock.
+TEST(KnobEffects, EdgesSkippedByTableAreThoseSkippedByComparing) {
+  for (const int frame : {200, 2000, 3900, 5555, CrowdedFrame, 8400, 9500, 11263}) {
+    SCOPED_TRACE(frame);
+    const auto render = [frame](const char* setting) {
+      knobs k;
+      set_knob(k, setting);
+      return CoreBench(k, frame).render();
+    };
+    const auto compared = render("skip_shared_edges=on"), told = render("skip_shared_edges=table");
+    EXPECT_EQ(told.pins_crc, compared.pins_crc);
+    expect_equal(told.stats, compared.stats);
+  }
+}
+
+// Where faces have several portals it knows more.
+TEST(KnobEffects, EdgesOfSceneFilesSkippedByTableAreThoseSkippedByComparingAndMore) {
+  int single = 0, several = 0;
+  for (const char* name : {"grid", "spiral"}) {
+    SCOPED_TRACE(name);
+    const std::string file = RACEBEAM_SOURCE_DIR "/scenes/" + std::string(name) + ".toml";
+    const Show show(read_scene_file(file).scene, "");
+    const auto render = [&show](int rule) {
+      knobs k = show.standard_knobs();
+      k.skip_shared_edges = rule;
+      return CoreBench(k, show.frames() / 3, show.program()).render();
+    };
+    const auto compared = render(SharedEdgesOn), told = render(SharedEdgesTable);
+    if (show.program()->portals_per_face == 1) {
+      EXPECT_EQ(told.pins_crc, compared.pins_crc);
+      expect_equal(told.stats, compared.stats);
+      EXPECT_LT(told.stats.decisions(), render(SharedEdgesOff).stats.decisions());
+      ++single;
+    } else {
+      EXPECT_LT(told.stats.decisions(), compared.stats.decisions());
+      ++several;
+    }
+  }
+  EXPECT_GT(single, 0);
+  EXPECT_GT(several, 0);
 }
 
 // Behind the FIFO six tones are told apart, before it four indices.

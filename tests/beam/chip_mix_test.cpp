@@ -66,10 +66,11 @@ INSTANTIATE_TEST_SUITE_P(LongSeeds, RandomMix, testing::Range(9, 51));
 
 TEST(AllRtl, GivesThePinsAndCountersOfTheCores) { expect_the_chip(~0u, Crowded); }
 
-// A knob whose bits cross ports of their own.
-TEST(AllRtl, GivesThePinsAndCountersOfTheCoresWithCheckers) {
+// Knobs whose bits cross ports of their own.
+TEST(AllRtl, GivesThePinsAndCountersOfTheCoresWithEdgesFromTheSceneAndCheckers) {
   constexpr int Dithered = 5119;
   knobs k;
+  k.skip_shared_edges = SharedEdgesTable;
   k.dithering = DitheringCheckered;
   expect_the_chip(~0u, Dithered, k);
 }

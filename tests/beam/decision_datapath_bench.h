@@ -62,7 +62,8 @@ struct Dut {
   UnitBench bench;
   std::function<Box(int)> scene = [](int) { return Box{{0, 0, 0}, {128, 256, 128}}; };
 
-  const bool several;  // portals in a face
+  std::function<int()> edges;  // what the scene tells of those of a face, once asked
+  const bool several;          // portals in a face
 
   explicit Dut(const knobs& k = {})
       : unit("dut", k), bench(unit), several(k.portals_per_face > 1) {}
@@ -80,6 +81,9 @@ struct Dut {
     const Box box = scene(get("room_o"));
     bench.drive("position", "_i", box.centre);
     bench.drive("half_size", "_i", box.half);
+    bench.settle();
+    if (!edges) return;
+    set("edges_i", edges());
     bench.settle();
   }
   void clock() {

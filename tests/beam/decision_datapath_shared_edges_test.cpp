@@ -11,39 +11,79 @@
 namespace racebeam {
 namespace {
 
-template <class Unit>
-class DecisionDatapathSharedEdges : public testing::Test {};
-TYPED_TEST_SUITE(DecisionDatapathSharedEdges, Twins);
+/// A unit with a value of the knob.
+template <class Unit, int Rule>
+struct Skipping {
+  using unit = Unit;
+  static constexpr int rule = Rule;
+};
 
-// A portal edge on the edge of the face needs no decision.
-template <class Unit>
+using Twin = own_rtl<decision_datapath>;
+template <class Case>
+class DecisionDatapathSharedEdges : public testing::Test {};
+using Cases =
+    testing::Types<Skipping<decision_datapath, SharedEdgesOn>, Skipping<Twin, SharedEdgesOn>,
+                   Skipping<decision_datapath, SharedEdgesTable>, Skipping<Twin, SharedEdgesTable>>;
+TYPED_TEST_SUITE(DecisionDatapathSharedEdges, Cases);
+
+constexpr int Back = 2;  // the portal that leads back
+
+/// Edges of `room`'s x faces on or beyond those of the room before it, as a scene tells them:
+/// towards +z, +y, -z, -y.
+int edges_of(const Box& room, const Box& before) {
+  const auto reaches = [&](int axis, int side) {
+    return side * room.centre[axis] + room.half[axis] >=
+           side * before.centre[axis] + before.half[axis];
+  };
+  return reaches(2, 1) | reaches(1, 1) << 1 | reaches(2, -1) << 2 | reaches(1, -1) << 3;
+}
+
+vec3 mirrored(vec3 v, int signs) {
+  for (int a = 0; a < 3; ++a)
+    if (bit_of(signs, a)) v[a] = -v[a];
+  return v;
+}
+
+// A portal edge on the edge of the face needs no decision; the same seen by rays towards any side.
+template <class Case>
 void expect_levels(const vec3& half, const vec3& centre, const std::vector<int>& levels) {
   knobs k;
-  k.skip_shared_edges = 1;
-  Dut<Unit> d(k);
-  d.scene = [&](int room) {
-    return room == 4 ? Box{{0, 0, 0}, {128, 256, 128}} : Box{centre, half};
-  };
-  d.start({10, -20, 30}, 4);
-  d.descend(0, false);
-  d.descend(0, false);
-  d.descend(0, true, 5);  // through +x
-  d.clock();
-  Place p;
-  p.camera = {-10, 20, -30};
-  p.rooms = {4, 5}, p.faces = {0, 0}, p.doms = {0, 0};
-  for (const int level : levels) {
-    p.level = level;
-    EXPECT_EQ(d.place(), (At{1, level, 0}));
-    EXPECT_EQ(d.corner(), p.corner(d.scene)) << "1." << level;
-    d.descend(0, false);
-  }
-  EXPECT_EQ(d.place(), (At{1, 7, 0}));
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-    p.level = *level;
-    d.climb(tag_of(1, *level), 0);
-    EXPECT_EQ(d.place(), (At{1, *level, 0}));
-    EXPECT_EQ(d.corner(), p.corner(d.scene)) << "back at 1." << *level;
+  k.skip_shared_edges = Case::rule;
+  k.portals_per_face = MaxPortals;
+  Dut<typename Case::unit> d(k);
+  for (int signs = 0; signs < 8; ++signs) {
+    SCOPED_TRACE(signs);
+    const Box before{{0, 0, 0}, {128, 256, 128}}, room{mirrored(centre, signs), half};
+    d.scene = [&](int number) { return number == 4 ? before : room; };
+    // Wrong unless the room before is looked at through the portal back.
+    d.edges = [&] {
+      const bool asked = d.get("room_o") == 5 && d.get("look_axis_o") == 0 &&
+                         bit_of(d.get("look_signs_o"), 0) == !bit_of(signs, 0) &&
+                         d.get("look_portal_o") == Back && d.get("look_way_o") == LookThrough;
+      return asked ? edges_of(room, before) : ~edges_of(room, before) & 15;
+    };
+    d.start(mirrored({10, -20, 30}, signs), 4);
+    d.descend(signs, false);
+    d.descend(signs, false);
+    d.descend(signs, true, 5, Back);  // through the x face
+    d.clock();
+    Place p;
+    p.camera = mirrored({-10, 20, -30}, signs);
+    p.signs = signs;
+    p.rooms = {4, 5}, p.faces = {0, 0}, p.doms = {0, 0};
+    for (const int level : levels) {
+      p.level = level;
+      EXPECT_EQ(d.place(), (At{1, level, 0}));
+      EXPECT_EQ(d.corner(), p.corner(d.scene)) << "1." << level;
+      d.descend(signs, false);
+    }
+    EXPECT_EQ(d.place(), (At{1, 7, 0}));
+    for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+      p.level = *level;
+      d.climb(tag_of(1, *level), signs);
+      EXPECT_EQ(d.place(), (At{1, *level, 0}));
+      EXPECT_EQ(d.corner(), p.corner(d.scene)) << "back at 1." << *level;
+    }
   }
 }
 

@@ -38,6 +38,8 @@ constexpr int Rooms = 15;
 vec3 half_size_of(int room) { return {10 + room, 200 - room, 32767 - 1000 * room}; }
 vec3 place_of(int room) { return {100 * room, -300 * room, room % 2 ? -32768 : 32767}; }
 
+int edges_of(int room, int face, int portal) { return (7 * room + 5 * face + 3 * portal) & 15; }
+
 scene_program hand_made() {
   scene_program program;
   program.rooms.resize(Rooms);
@@ -46,9 +48,12 @@ scene_program hand_made() {
     program.rooms[id].position = place_of(id);
   }
   for (const Link& l : Links) {
-    program.rooms[l.room].portals[l.face][l.portal] = {std::uint16_t(l.to), std::uint8_t(l.back)};
-    program.rooms[l.to].portals[l.face ^ 1][l.back] = {std::uint16_t(l.room),
-                                                       std::uint8_t(l.portal)};
+    program.rooms[l.room].portals[l.face][l.portal] = {
+        std::uint16_t(l.to), std::uint8_t(l.back),
+        std::uint8_t(edges_of(l.room, l.face, l.portal))};
+    program.rooms[l.to].portals[l.face ^ 1][l.back] = {
+        std::uint16_t(l.room), std::uint8_t(l.portal),
+        std::uint8_t(edges_of(l.to, l.face ^ 1, l.back))};
   }
   return program;
 }
@@ -135,6 +140,18 @@ TYPED_TEST(SceneRomTest, EveryPortalLeadsToItsRoomAndBack) {
     EXPECT_EQ(this->look(l.room, l.face, l.portal), (Answer{l.to, l.back}));
     EXPECT_EQ(this->look(l.to, l.face ^ 1, l.back), (Answer{l.room, l.portal}));
   }
+}
+
+TYPED_TEST(SceneRomTest, EdgesAreThoseOfThePortalAskedAboutWhateverTheWay) {
+  for (const Link& l : Links)
+    for (const int way : {LookThrough, LookNext, LookPrevious}) {
+      this->look(l.room, l.face, l.portal, way);
+      EXPECT_EQ(this->out("edges_o"), edges_of(l.room, l.face, l.portal));
+      this->look(l.to, l.face ^ 1, l.back, way);
+      EXPECT_EQ(this->out("edges_o"), edges_of(l.to, l.face ^ 1, l.back));
+    }
+  this->look(2, PlusX, 3);  // no portal
+  EXPECT_EQ(this->out("edges_o"), 0);
 }
 
 TYPED_TEST(SceneRomTest, OnlyTheSignOfTheAxisLookedThroughCounts) {
@@ -232,6 +249,7 @@ TYPED_TEST(SceneRomTest, NoInputIsMissedUnderRandomOnes) {
         this->program.rooms, id, axis, bench["look_signs_i"].value() >> axis & 1,
         bench["look_portal_i"].value(), bench["look_way_i"].value());
     ASSERT_EQ(this->answer(), (Answer{want.room, want.back}));
+    ASSERT_EQ(this->out("edges_o"), want.edges);
   };
   std::minstd_rand rooms(3);
   const auto clock = [&] { bench["room_i"].drive(static_cast<int>(rooms() % (Rooms + 2))); };

@@ -93,6 +93,8 @@ Answer reference(int flags, int id, Face face) {
 template <class Unit>
 class SceneTest : public testing::Test {
  protected:
+  explicit SceneTest(const knobs& k = {}) : unit("dut", k), bench(unit) {}
+
   /// What the unit answers; `other_signs` go to the axes that are not asked for.
   Answer look(int flags, int id, Face face, int other_signs = 0) {
     bench["scene_flags_i"].drive(flags);
@@ -121,8 +123,8 @@ class SceneTest : public testing::Test {
     return found;
   }
 
-  Unit unit{"dut"};
-  UnitBench bench{unit};
+  Unit unit;
+  UnitBench bench;
 };
 
 using Twins = testing::Types<scene, own_rtl<scene>>;
@@ -254,6 +256,51 @@ TYPED_TEST(SceneTest, TunnelGoesRoundInZ) {
     EXPECT_EQ(here.position[0], later.position[0]);
     EXPECT_EQ(here.position[1], later.position[1]);
   }
+}
+
+TYPED_TEST(SceneTest, TellsNothingOfEdgesUnlessAsked) {
+  for (const int flags : DemoScenes)
+    for (const Face& face : Faces) {
+      this->look(flags, room_id(4, 3, 0), face);
+      EXPECT_EQ(this->bench["edges_o"].value(), 0u) << flags;
+    }
+}
+
+constexpr knobs edges_in_the_table() {
+  knobs k;
+  k.skip_shared_edges = SharedEdgesTable;
+  return k;
+}
+
+template <class Unit>
+class SceneEdges : public SceneTest<Unit> {
+ protected:
+  SceneEdges() : SceneTest<Unit>(edges_in_the_table()) {}
+};
+TYPED_TEST_SUITE(SceneEdges, Twins);
+
+// Header: bits 0 and 2 are the edges towards positive and negative coordinates of the axis two
+// after the face's, bits 1 and 3 those of the axis after.
+TYPED_TEST(SceneEdges, AreThoseThatLieOnOrBeyondTheRoomBehind) {
+  int on = 0, off = 0;
+  for (const int flags : DemoScenes)
+    for (const int id : this->reachable(flags))
+      for (const Face& face : Faces) {
+        const Answer here = this->look(flags, id, face, 7 - id % 8);
+        if (here.neighbour == Solid) continue;
+        const int edges = static_cast<int>(this->bench["edges_o"].value());
+        const Answer behind = this->look(flags, here.neighbour, face);
+        for (int bit = 0; bit < 4; ++bit) {
+          const int axis = (face.axis + (bit % 2 ? 1 : 2)) % 3, side = bit < 2 ? 1 : -1;
+          const int beyond = wrap_signed(side * (here.position[axis] - behind.position[axis]), 12) +
+                             here.half_size[axis] - behind.half_size[axis];
+          ASSERT_EQ(bit_of(edges, bit), beyond >= 0)
+              << "flags " << flags << ", room " << id << ", axis " << face.axis << ", bit " << bit;
+          ++(beyond >= 0 ? on : off);
+        }
+      }
+  EXPECT_GT(on, 1000);
+  EXPECT_GT(off, 1000);
 }
 
 }  // namespace

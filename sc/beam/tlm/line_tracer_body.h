@@ -157,7 +157,9 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       to.nav_position = chip.navigator.position_q;
       to.nav_room = chip.navigator.room_q;
     }
-    if (move.climb || move.leave) {
+    const bool asks_edges =
+        k.skip_shared_edges == SharedEdgesTable && (move.descend || place.second_q);
+    if (move.climb || move.leave || asks_edges) {
       to.face_read = stacks.face(place.depth_q, k);
       const auto look = place.look(to, k);
       const auto beyond =
@@ -165,6 +167,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
                                bit_of(look.signs, look.axis), look.portal, look.way);
       to.neighbour = beyond.room;
       to.back = beyond.back;
+      to.edges = beyond.edges;
     }
 
     // The edge.

@@ -18,9 +18,13 @@ inline std::vector<room_row> room_table(int flags) {
     const auto room = scene_core::geometry(flags, id);
     rooms[id].half_size = room.half_size;
     rooms[id].position = room.position;
-    for (int face = 0; face < 6; ++face)
-      rooms[id].portals[face][0].room =
-          static_cast<std::uint16_t>(scene_core::neighbour(flags, id, face / 2, face & 1));
+    for (int face = 0; face < 6; ++face) {
+      const int axis = face / 2;
+      const bool negative = face & 1;
+      rooms[id].portals[face][0] = {
+          static_cast<std::uint16_t>(scene_core::neighbour(flags, id, axis, negative)), 0,
+          static_cast<std::uint8_t>(scene_core::shared_edges(flags, id, axis, negative))};
+    }
   }
   return rooms;
 }
