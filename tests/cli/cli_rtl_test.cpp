@@ -76,7 +76,7 @@ TEST_F(CliRtlTest, TheWordRtlIsOursWhateverFolderIsThere) {
 TEST_F(CliRtlTest, AKnobThatTheRtlLacksIsNamed) {
   write("mine.sv",
         changed("interval_fifo", "parameter int FifoEntries", "localparam int FifoEntries"));
-  expect(1, verify("interval_fifo=mine.sv", {"--set", "fifo_entries=12"}),
+  expect(1, {"verify", "interval_fifo=mine.sv", "--frames", "1", "--set", "fifo_entries=12"},
          "mine.sv has no parameter FifoEntries; the knob fifo_entries does not reach it");
   Program usual(folder.path(), verify("interval_fifo=mine.sv"));
   EXPECT_EQ(usual.wait(), 0) << usual.err();
@@ -88,7 +88,8 @@ TEST_F(CliRtlTest, AKnobThatTheModelAloneHasIsRefusedForItsRtlOnly) {
   const std::string with_file = "camera_unit=" + rtl_file("camera_unit");
   for (const std::string& word : {std::string("camera_unit"), with_file})
     expect(2, verify(word, {"--set", "camera_cosine=exact"}), refused);
-  expect(2, {"render", "demo", "--use", "all", "--set", "camera_cosine=exact", "-o", "o"}, refused);
+  expect(2, {"render", "demo", "--use", "all=rtl", "--set", "camera_cosine=exact", "-o", "o"},
+         refused);
   expect(0, verify("stacks", {"--set", "camera_cosine=exact"}));
 }
 

@@ -210,10 +210,11 @@ TEST_F(CliSweepTest, PicturesAreThoseOfRender) {
 }
 
 TEST_F(CliSweepTest, GuardFramesAreTheWorstOfTheBase) {
+  Program scene(folder.path(), {"scene", "new", "room.toml"});
+  ASSERT_EQ(scene.wait(), 0) << scene.err();
   write(
-      "name = \"g\"\nscenes = [\"demo\"]\n[frames]\nsample = 16\nguard = 4\n"
-      "skip = [\"*ray pattern*\", \"[!t]*\"]\n[measure]\nsilicon = \"off\"\n"
-      "[knobs]\nfifo_entries = [8]\n");
+      "name = \"g\"\nscenes = [\"room.toml\"]\n[frames]\nsample = 16\nguard = 4\n"
+      "[measure]\nsilicon = \"off\"\n[knobs]\nfifo_entries = [8]\n");
   Program run(folder.path(), run_words("out"));
   ASSERT_EQ(run.wait(), 0) << run.err();
   std::map<std::string, int> guards;

@@ -89,7 +89,7 @@ TEST_F(CliTraceFilesTest, SaysSizeAndTimeOfALongWindowBeforeItsFirstClock) {
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), 130);
   EXPECT_THAT(run.err(), testing::StartsWith("racebeam: about 21 GB and 5 minutes; as FST about "
-                                             "1.0 GB\n"));
+                                             "1.1 GB\n"));
 }
 
 TEST_F(CliTraceFilesTest, SaysThatALongWindowDoesNotFit) {

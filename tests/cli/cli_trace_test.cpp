@@ -101,7 +101,7 @@ TEST_F(CliTraceTest, ScopeAndDepthChooseSignals) {
   EXPECT_GT(all.second, 250);
   EXPECT_EQ(top, (std::pair{all.first, 0}));
   EXPECT_EQ(unit.first, 0);
-  EXPECT_EQ(unit.second, 14) << "the ports of scene";
+  EXPECT_EQ(unit.second, 15) << "the ports of scene";
 }
 
 TEST_F(CliTraceTest, FollowsTheClockAndTheFramesOfTheScene) {

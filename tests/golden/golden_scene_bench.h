@@ -40,7 +40,9 @@ class GoldenScene {
     const GoldenWorld seen = world(0);
     if (tracer == GoldenTracer::Geometry) return geometry_line(seen, camera(0).ideal(y), y)[pixel];
     const GoldenRays rays = camera(0).rays(y);
-    return (tracer == GoldenTracer::Trace2 ? trace_2_line : trace_4_line)(seen, rays, y)[pixel];
+    const GoldenHits hits =
+        tracer == GoldenTracer::Trace2 ? trace_2_line(seen, rays, y) : trace_4_line(seen, rays, y);
+    return hits[pixel];
   }
 
   SceneFile scene;

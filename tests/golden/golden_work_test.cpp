@@ -90,7 +90,7 @@ TEST(Trace2, TakesMoreWhereAFaceHasMoreOpenings) {
   const GoldenWorld world = show.golden_world(show.frames() / 3, show.standard_knobs());
   RayWork work;
   for (int y = FirstVisibleLine; y < FirstVisibleLine + VisibleRows; y += Every)
-    trace_2_line(world, show.golden_camera(show.frames() / 3).rays(y), y, &work);
+    trace_2_line(world, show.golden_camera(show.frames() / 3, knobs{}).rays(y), y, &work);
   EXPECT_GT(work.crossing_decisions, 6 * work.rooms_entered);
 }
 

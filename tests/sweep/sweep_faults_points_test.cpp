@@ -27,7 +27,7 @@ const BadSweep BadPoints[] = {
     {"NumberForWord", "[knobs]\nbisection = 0\n", "2:13: 'bisection' is a whole number",
      "it must be one of pow2, midpoint, floor, in quotes"},
     {"BooleanForWord", "[knobs]\ndithering = [\"on\", false]\n",
-     "2:20: 'dithering' is true or false", "it must be one of off, on, in quotes"},
+     "2:20: 'dithering' is true or false", "it must be one of off, on, checkered, in quotes"},
     {"EmptyList", "[knobs]\nfifo_entries = []\n", "2:16: 'fifo_entries' has an empty list",
      "leave the knob out"},
     {"RangeOfWords", "[knobs]\nbisection = { from = 0, to = 1 }\n",

@@ -221,7 +221,7 @@ TEST(SweepPointTextTest, TellsAnyTwoSettingsApart) {
     k.*row.member = k.*row.member == row.max ? row.min : row.max;
     EXPECT_NE(point_text(k), point_text({})) << row.name;
   }
-  EXPECT_THAT(point_text({}), testing::StartsWith("bisection=pow2\nclocks_per_pixel=2\n"));
+  EXPECT_THAT(point_text({}), testing::StartsWith("bisection=pow2\ncamera_cosine=parabola\n"));
 }
 
 }  // namespace
