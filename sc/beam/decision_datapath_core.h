@@ -47,6 +47,18 @@ inline constexpr dropped_products<ChipCut> chip_dropped_products{};
   return (x * m - chip_dropped_products.sum[x & low][m & low]) >> ChipCut;
 }
 
+/// The levels (bits) of a portal whose edges the scene says need no decision: the scene does not
+/// know of the mirrored world. A call, so that it costs nothing in the chip, which has no such
+/// edges.
+[[gnu::noinline]] inline int edges_seen(int edges, int face, int signs) {
+  int levels = 0;
+  for (int level = 0; level < 4; ++level) {
+    const int a = (face + 2 - (level & 1)) % 3;
+    levels |= (edges >> (level ^ (bit_of(signs, a) ? 2 : 0)) & 1) << level;
+  }
+  return levels;
+}
+
 /// Behaviour of decision_datapath.
 struct decision_datapath_core {
   int depth_q = 0, level_q = 2;
@@ -178,7 +190,9 @@ struct decision_datapath_core {
   /// The first level from `level` on that needs a decision.
   [[gnu::always_inline]] int next_test(int level, const inputs& in, const knobs& k) const {
     if (k.skip_shared_edges) {
-      const int shared = k.skip_shared_edges == SharedEdgesOn ? shared_q[depth_q] : table_edges(in);
+      const int shared = k.skip_shared_edges == SharedEdgesOn
+                             ? shared_q[depth_q]
+                             : edges_seen(in.edges, face_q, in.signs);
       while (level < 4 && (shared >> level & 1)) ++level;
     }
     return level < 4 ? level : 6;
@@ -186,7 +200,6 @@ struct decision_datapath_core {
   void descend(const inputs& in, const knobs& k);
   void enter(const inputs& in, const knobs& k);
   int shared_edges(const inputs& in, const knobs& k) const;
-  int table_edges(const inputs& in) const;
   void go_to_test(int level, const inputs& in);
   void arrive(const inputs& in);
   void leave(const inputs& in);

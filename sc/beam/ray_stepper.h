@@ -57,6 +57,7 @@ struct ray_stepper_core {
 
   [[gnu::always_inline]] void clock(const inputs& in, const knobs& k) {
     const vec3 dr2 = dr2_q, fraction2 = fraction2_q;
+#pragma GCC unroll 3
     for (int a = 0; a < 3; ++a) {
       const bool masked_in = bit_of(in.axis_mask, a);
       if (in.load) {
@@ -110,12 +111,26 @@ struct ray_stepper_core {
   }
   [[gnu::always_inline]] void jump(int a, int size, int idx2, const inputs& in, const knobs& k) {
     const int delta = in.delta[a], stored = k.dr2_fraction();
-    const int move = (delta * size >> (DdrFractionBits - stored)) +
-                     step_extra_bit(delta, size, in.neg, idx2, stored);
-    const int from = dr2_q[a] * (1 << stored) | fraction2_q[a];
-    const int sum = in.neg ? from - move : from + move;
-    dr2_q[a] = wrap_signed(sum >> stored, k.dr_bits);
-    if (stored > 0) fraction2_q[a] = sum & low_bits(stored);
+    if (stored > 0) {
+      const int from = dr2_q[a] * (1 << stored) | fraction2_q[a];
+      const int sum = stepped(from, {delta, size, in.neg, idx2, stored});
+      dr2_q[a] = wrap_signed(sum >> stored, k.dr_bits);
+      fraction2_q[a] = sum & low_bits(stored);
+      return;
+    }
+    const int move = (delta * size >> DdrFractionBits) + step_extra_bit(delta, size, in.neg, idx2);
+    dr2_q[a] = wrap_signed(in.neg ? dr2_q[a] - move : dr2_q[a] + move, k.dr_bits);
+  }
+  // A call, so that it costs nothing where no fraction is stored, as in the chip.
+  struct fraction_step {
+    int delta, size;
+    bool neg;
+    int idx2, stored;
+  };
+  [[gnu::noinline]] static int stepped(int from, const fraction_step& s) {
+    const int move = (s.delta * s.size >> (DdrFractionBits - s.stored)) +
+                     step_extra_bit(s.delta, s.size, s.neg, s.idx2, s.stored);
+    return s.neg ? from - move : from + move;
   }
 };
 

@@ -100,6 +100,7 @@ class chip_lines {
   std::vector<std::uint8_t> pins_;
   std::vector<pwm_change> sound_changes_;
   stats_collector collector_;
+  frame_stats unseen_;                 // where histograms go that nobody asks for
   int column_ = 0;                     // next column to be shown
   int decisions_ = 0;                  // of this line
   bool given_up_ = false;              // what is on offer has no wall

@@ -56,7 +56,8 @@ line_setting chip_lines::setting() {
           colours,
           pattern && visible_ ? pixels_.data() : nullptr,
           options_.observer,
-          visible_ ? &collector_.stats() : nullptr,
+          visible_ ? collector_.stats() : unseen_,
+          unseen_,
           &rooms_told_};
 }
 

@@ -69,7 +69,8 @@ struct line_setting {
   shown_colours colours;        ///< without the pattern
   std::uint8_t* row;            ///< pixels that show the pattern, if it may hold; else nullptr
   chip_observer* observer;
-  frame_stats* histograms;  ///< into which its histograms go, or nullptr
+  frame_stats& histograms;  ///< into which its histograms go up to line_done
+  frame_stats& unseen;      ///< and then
   room_teller* rooms_told;  ///< to the observer, of this line
 };
 

@@ -11,7 +11,7 @@ namespace racebeam {
 
 template <class Knobs, bool Pattern, bool Watch>
 line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& line, int t) {
-  const knobs k = Knobs::of(line.k);
+  const knobs& k = Knobs::of(line.k);
   subdivider_core sub = chip.subdivider;
   decision_datapath_core place = chip.decision_datapath;
   ray_stepper_core rays = chip.ray_stepper;
@@ -21,8 +21,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
   int starves_from = beam.starves_from();
   line_counts counts, at_done;
   counts.camera_clock = t;
-  frame_stats unseen;
-  frame_stats* histograms = line.histograms ? line.histograms : &unseen;
+  frame_stats* histograms = &line.histograms;
   int walk = 0, stack = 0, colour_before = 0;
   tracer_round round;
   bool given_up = false;
@@ -42,7 +41,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       if (choice.lock) {
         colour = pixel_output_core::colour({0, true, choice.inverse, true, true, true, rays.dr2_q,
                                             choice.palette, choice.colours, false},
-                                           k);
+                                           line.k);
       } else {
         colour = line.colours[(column ^ line.y) & 1][beam.display()];
       }
@@ -209,7 +208,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
         counts.clocks = t - begin;
         if (t < end) counts.done_clock = t;
         at_done = counts;
-        histograms = &unseen;
+        histograms = &line.unseen;
       }
     }
     if (was_done && move.restart) {
