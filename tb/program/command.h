@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}  // namespace CLI
+#include "tb/program/command_options.h"
 
 namespace racebeam {
 
@@ -22,15 +20,15 @@ struct Command {
   std::string name, summary;
   std::string group;    ///< in the help
   std::string example;  ///< a command line without the program's name
-  /// Adds the options to the command line's reader; what it returns keeps what they are read into.
-  std::function<RunCommand(CLI::App& command)> add;
+  /// Adds the options; what it returns keeps what they are read into.
+  std::function<RunCommand(const CommandOptions& command)> add;
 };
 
 /// A command that is run with its options alone.
 template <class Options>
 Command make_command(const char* name, const char* summary, const char* group, const char* example,
-                     void (*add)(CLI::App&, Options&), int (*run)(const Options&)) {
-  return {name, summary, group, example, [add, run](CLI::App& command) -> RunCommand {
+                     void (*add)(const CommandOptions&, Options&), int (*run)(const Options&)) {
+  return {name, summary, group, example, [add, run](const CommandOptions& command) -> RunCommand {
             const auto options = std::make_shared<Options>();
             add(command, *options);
             return [options, run](const std::vector<std::string>&) { return run(*options); };

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "sc/beam/units.h"
@@ -226,15 +226,15 @@ int command_bench(const BenchOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, BenchOptions& options) {
+void add_options(const CommandOptions& command, BenchOptions& options) {
   command.add_option("row", options.rows, "Only these: levels, traces, mixes, host, or units")
-      ->type_name("ROW");
+      .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))
-      ->capture_default_str();
+      .capture_default_str();
   add_number(command, "--repeat", options.repeats, "Runs of which the median counts, 1..100",
              is_number_in("--repeat", 1, 100))
-      ->capture_default_str();
+      .capture_default_str();
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -72,7 +71,7 @@ int command_doctor(const DoctorOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, DoctorOptions& options) {
+void add_options(const CommandOptions& command, DoctorOptions& options) {
   command.add_flag("--json", options.json, "JSON on stdout instead of the text");
 }
 

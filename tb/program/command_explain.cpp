@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -113,29 +112,29 @@ int command_explain(const ExplainOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, ExplainOptions& options) {
-  command.add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+void add_options(const CommandOptions& command, ExplainOptions& options) {
+  command.add_option("scene", options.scene, "demo, or a scene file").type_name("SCENE");
   add_number(command, "--frame", options.frame, "Frame of the scene, from 0",
              is_number("--frame", FirstRange));
   command
       .add_option("--pixel", options.pixel, "Pixel of the picture: 0..639,0..479 from the top left")
-      ->type_name("X,Y");
+      .type_name("X,Y");
   add_set_option(command, options);
   command.add_flag("--json", options.json, "JSON on stdout instead of the text");
-  CLI::Option* const figure =
+  const CommandOption figure =
       command
           .add_option("--figure", options.figure,
                       "Draw instead, of pixel 185,100 of frame 700 of the demo unless told "
                       "otherwise: " +
                           figure_names())
-          ->type_name("NAME");
+          .type_name("NAME");
   command.add_option("-o,--output", options.output, "Where to: FILE.svg")
-      ->type_name("FILE")
-      ->needs(figure);
+      .type_name("FILE")
+      .needs(figure);
   command.add_option("--word", options.word, "Explain a word instead, such as slack")
-      ->type_name("WORD")
-      ->excludes(figure);
-  command.add_flag("--words", options.words, "Explain all words instead")->excludes(figure);
+      .type_name("WORD")
+      .excludes(figure);
+  command.add_flag("--words", options.words, "Explain all words instead").excludes(figure);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -64,7 +63,7 @@ int command_knobs(const KnobsOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, KnobsOptions& options) {
+void add_options(const CommandOptions& command, KnobsOptions& options) {
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -125,16 +124,16 @@ int command_render(const RenderOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, RenderOptions& options) {
+void add_options(const CommandOptions& command, RenderOptions& options) {
   command
       .add_option("scene", options.scene,
                   "demo: the chip's own demo, 12799 frames; or a scene file")
-      ->type_name("SCENE");
+      .type_name("SCENE");
   const auto number = [&](const char* name, long long& to, const char* range, const char* help) {
-    add_number(command, name, to, help, is_number(name, range))->capture_default_str();
+    add_number(command, name, to, help, is_number(name, range)).capture_default_str();
   };
   const auto file = [&](const char* name, std::string& to, const char* type, const char* help) {
-    command.add_option(name, to, help)->type_name(type)->check(not_empty());
+    command.add_option(name, to, help).type_name(type).check(not_empty);
   };
   number("--frames", options.frames, FramesRange, "Frames to render");
   number("--first", options.first, FirstRange, "First frame, 0..12798");
@@ -142,23 +141,23 @@ void add_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--at", options.at,
                   "These frames, in this order, instead: 7223, or 5,700-720,3900")
-      ->type_name("FRAMES")
-      ->check(not_empty());
+      .type_name("FRAMES")
+      .check(not_empty);
   number("--jobs", options.jobs, "1..256",
          "Processes that share the frames; the files are the same");
   command
       .add_option("--level", options.level,
                   "tlm: all cores in one loop behind TLM-2.0 sockets (default); signal: units "
                   "wired at 50.4 MHz (default with --use); both give the same")
-      ->type_name("LEVEL")
-      ->check(not_empty());
+      .type_name("LEVEL")
+      .check(not_empty);
   add_set_option(command, options);
   command
       .add_option("--use", options.units,
                   "Put RTL in a unit's place: model, rtl, lockstep (both, compared), or a file; "
                   "UNIT may be all; several with commas; repeatable")
-      ->type_name("UNIT=IMPLEMENTATION")
-      ->allow_extra_args(false);
+      .type_name("UNIT=IMPLEMENTATION")
+      .repeatable();
   add_tt_options(command, options);
   file("-o,--output", options.folder, "DIR|FILE",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "
@@ -186,14 +185,14 @@ void add_options(CLI::App& command, RenderOptions& options) {
       .add_option("--golden", options.golden,
                   "trace2, trace3, trace4, geometry: render with this golden tracer instead of the "
                   "chip, and count its work; compare: the chip, and why they differ")
-      ->type_name("TRACER")
-      ->check(not_empty());
+      .type_name("TRACER")
+      .check(not_empty);
   command
       .add_option("--overlay", options.overlays,
                   "slack, cost, depth: also maps of how early each pixel was known, what it cost, "
                   "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")
-      ->type_name("MAP")
-      ->allow_extra_args(false);
+      .type_name("MAP")
+      .repeatable();
   file("--against", options.against, "demo|FILE.csv",
        "Compare picture and pins of each frame with checksums: demo, those of the taped-out chip, "
        "or frame,image_crc32,pins_crc32 in a file");
@@ -206,7 +205,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
 Command render_row() {
   return {"render", "Render frames as files and statistics", "See",
           "render demo --first 5000 --frames 60 --gif tunnel.gif",
-          [](CLI::App& command) -> RunCommand {
+          [](const CommandOptions& command) -> RunCommand {
             const auto options = std::make_shared<RenderOptions>();
             add_options(command, *options);
             return [options](const std::vector<std::string>& words) {

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -135,16 +134,16 @@ int command_scene_new(const SceneOptions& options) {
 
 namespace {
 
-void add_notes_options(CLI::App& notes, SceneOptions& options) {
-  notes.add_option("scene", options.scenes, "Scene files, or demo")->required()->type_name("SCENE");
+void add_notes_options(const CommandOptions& notes, SceneOptions& options) {
+  notes.add_option("scene", options.scenes, "Scene files, or demo").required().type_name("SCENE");
   notes.add_option("-o,--output", options.notes, "Markdown")
-      ->required()
-      ->type_name("FILE.md")
-      ->check(not_empty());
+      .required()
+      .type_name("FILE.md")
+      .check(not_empty);
   add_set_option(notes, options.run);
   add_number(notes, "--frames", options.frames, "Frames of each scene, spread evenly over it",
              is_number_in("--frames", 1, 1000))
-      ->capture_default_str();
+      .capture_default_str();
 }
 
 }  // namespace
@@ -152,38 +151,35 @@ void add_notes_options(CLI::App& notes, SceneOptions& options) {
 Command scene_row() {
   return {
       "scene", "Check, show, draw, start and judge scene files", "Write", "scene new my.toml",
-      [](CLI::App& command) -> RunCommand {
+      [](const CommandOptions& command) -> RunCommand {
         const auto options = std::make_shared<SceneOptions>();
         const auto chosen = std::make_shared<int (*)(const SceneOptions&)>();
-        command.require_subcommand(1);
         const auto add = [&](const char* name, const char* help, int (*run)(const SceneOptions&)) {
-          CLI::App* one = command.add_subcommand(name, help);
-          one->callback([chosen, run] { *chosen = run; });
-          return one;
+          return command.add_subcommand(name, help, [chosen, run] { *chosen = run; });
         };
         const auto add_of_file = [&](const char* name, const char* type, const char* help,
                                      int (*run)(const SceneOptions&)) {
-          CLI::App* one = add(name, help, run);
-          one->add_option("file", options->file, "Scene file (TOML)")->required()->type_name(type);
+          const CommandOptions one = add(name, help, run);
+          one.add_option("file", options->file, "Scene file (TOML)").required().type_name(type);
           return one;
         };
         add_of_file("check", "SCENE", "List all faults with line, column and help",
                     command_scene_check);
-        CLI::App* show =
+        const CommandOptions show =
             add_of_file("show", "SCENE", "Counts, widths and an estimate of the worst line",
                         command_scene_show);
-        add_set_option(*show, options->run);
-        show->add_flag("--json", options->json, "JSON on stdout instead of the text");
+        add_set_option(show, options->run);
+        show.add_flag("--json", options->json, "JSON on stdout instead of the text");
         add_of_file("plan", "SCENE", "Draw rooms, portals and the camera's way", command_scene_plan)
-            ->add_option("-o,--output", options->picture, "Picture: FILE.png or FILE.svg")
-            ->required()
-            ->type_name("FILE")
-            ->check(not_empty());
+            .add_option("-o,--output", options->picture, "Picture: FILE.png or FILE.svg")
+            .required()
+            .type_name("FILE")
+            .check(not_empty);
         add_of_file("new", "FILE", "Write a scene to start from", command_scene_new);
-        add_notes_options(*add("notes",
-                               "Counters of some frames, and why the chip does not show the "
-                               "ideal pictures",
-                               command_scene_notes),
+        add_notes_options(add("notes",
+                              "Counters of some frames, and why the chip does not show the "
+                              "ideal pictures",
+                              command_scene_notes),
                           *options);
         return [options, chosen](const std::vector<std::string>&) { return (*chosen)(*options); };
       }};

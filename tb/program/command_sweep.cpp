@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/command_sweep.h"
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -70,47 +69,47 @@ int sweep_export(const Options& options) {
   return ExitGood;
 }
 
-void add_file(CLI::App& command, Options& options, const char* type) {
-  command.add_option("file", options.run.file, "Sweep file (TOML)")->required()->type_name(type);
+void add_file(const CommandOptions& command, Options& options, const char* type) {
+  command.add_option("file", options.run.file, "Sweep file (TOML)").required().type_name(type);
 }
 
-void add_folder(CLI::App& command, Options& options) {
+void add_folder(const CommandOptions& command, Options& options) {
   command.add_option("folder", options.run.folder, "What -o of sweep run has named")
-      ->required()
-      ->type_name("DIR")
-      ->check(not_empty());
+      .required()
+      .type_name("DIR")
+      .check(not_empty);
 }
 
-void add_jobs(CLI::App& command, Options& options) {
+void add_jobs(const CommandOptions& command, Options& options) {
   options.run.jobs = cores();
   add_number(command, "--jobs", options.run.jobs, "Workers at once; default: the cores",
              is_number_in("--jobs", 1, 256));
 }
 
-void add_run_options(CLI::App& run, Options& options) {
+void add_run_options(const CommandOptions& run, Options& options) {
   add_file(run, options, "SWEEP");
   run.add_option("-o,--output", options.run.folder, "Folder: results are kept there, and found")
-      ->required()
-      ->type_name("DIR")
-      ->check(not_empty());
+      .required()
+      .type_name("DIR")
+      .check(not_empty);
   add_jobs(run, options);
   run.add_option("--set", options.run.assignments, "Take no other value of this knob (repeatable)")
-      ->type_name("KNOB=VALUE")
-      ->allow_extra_args(false);
+      .type_name("KNOB=VALUE")
+      .repeatable();
   run.add_option("--reuse", options.run.reuse,
                  "Take equal results from the folder of another sweep (repeatable)")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+      .type_name("DIR")
+      .repeatable();
   run.add_flag("--fresh", options.run.fresh,
                "Measure anew with another model; the old results are kept");
   run.add_flag("--dry-run", options.run.dry_run,
                "Say points, frames, time and disk; write nothing");
 }
 
-void add_export_options(CLI::App& command, Options& options) {
+void add_export_options(const CommandOptions& command, Options& options) {
   add_folder(command, options);
   const auto file = [&](const char* name, std::string& to, const char* help) {
-    command.add_option(name, to, help)->type_name("FILE")->check(not_empty());
+    command.add_option(name, to, help).type_name("FILE").check(not_empty);
   };
   file("--csv", options.csv, "One row a point: settings, means");
   file("--frames", options.frames_csv, "One row a frame, with all that was counted");
@@ -121,30 +120,27 @@ void add_export_options(CLI::App& command, Options& options) {
 
 Command sweep_row() {
   return {"sweep", "Measure many settings, compare, keep, go on", "Change", "sweep new my.toml",
-          [](CLI::App& command) -> RunCommand {
+          [](const CommandOptions& command) -> RunCommand {
             const auto options = std::make_shared<Options>();
             const auto chosen = std::make_shared<int (*)(const Options&)>();
-            command.require_subcommand(1);
             const auto add = [&](const char* name, const char* help, int (*run)(const Options&)) {
-              CLI::App* one = command.add_subcommand(name, help);
-              one->callback([chosen, run] { *chosen = run; });
-              return one;
+              return command.add_subcommand(name, help, [chosen, run] { *chosen = run; });
             };
-            add_file(*add("new", "Write a sweep to start from", sweep_new), *options, "FILE");
-            add_run_options(*add("run", "Start, or go on: the same command", sweep_run), *options);
-            CLI::App* status =
+            add_file(add("new", "Write a sweep to start from", sweep_new), *options, "FILE");
+            add_run_options(add("run", "Start, or go on: the same command", sweep_run), *options);
+            const CommandOptions status =
                 add("status", "How far it is, who works on it, what failed", sweep_status);
-            add_folder(*status, *options);
-            status->add_flag("--watch", options->watch, "Again every second, until it ends");
-            status->add_flag("--json", options->json, "JSON on stdout instead of the text");
-            CLI::App* check =
+            add_folder(status, *options);
+            status.add_flag("--watch", options->watch, "Again every second, until it ends");
+            status.add_flag("--json", options->json, "JSON on stdout instead of the text");
+            const CommandOptions check =
                 add("check", "Whether the store is sound, and stored frames repeat", sweep_check);
-            add_folder(*check, *options);
-            add_number(*check, "--sample", options->sample, "Stored frames to measure again",
+            add_folder(check, *options);
+            add_number(check, "--sample", options->sample, "Stored frames to measure again",
                        is_number_in("--sample", 0, 1'000'000))
-                ->capture_default_str();
-            add_jobs(*check, *options);
-            add_export_options(*add("export", "Results as CSV or JSON", sweep_export), *options);
+                .capture_default_str();
+            add_jobs(check, *options);
+            add_export_options(add("export", "Results as CSV or JSON", sweep_export), *options);
             return [options, chosen](const std::vector<std::string>& words) {
               options->run.command.clear();
               for (const std::string& word : words)

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 
@@ -141,17 +140,17 @@ int command_trace(const TraceOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, TraceOptions& options) {
+void add_options(const CommandOptions& command, TraceOptions& options) {
   command
       .add_option("scene", options.scene,
                   "demo, or a scene file; or a waveform FILE.vcd for --picture to draw")
-      ->type_name("SCENE");
+      .type_name("SCENE");
   const auto text = [&](const char* name, std::string& to, const char* type, const char* help) {
-    command.add_option(name, to, help)->type_name(type)->check(not_empty());
+    command.add_option(name, to, help).type_name(type).check(not_empty);
   };
   const auto list = [&](const char* name, std::vector<std::string>& to, const char* type,
                         const char* help) {
-    command.add_option(name, to, help)->type_name(type)->allow_extra_args(false);
+    command.add_option(name, to, help).type_name(type).repeatable();
   };
   text("-o,--output", options.output, "FILE",
        "FILE.vcd, or FILE.fst by vcd2fst; FILE.gtkw for GTKWave is written beside it, "
@@ -160,9 +159,9 @@ void add_options(CLI::App& command, TraceOptions& options) {
       .add_option("--level", options.level,
                   "signal: units wired at 50.4 MHz; tlm: lines, intervals, rooms, restarts and "
                   "display writes as transactions, small and fast enough for many frames")
-      ->type_name("LEVEL")
-      ->check(not_empty())
-      ->capture_default_str();
+      .type_name("LEVEL")
+      .check(not_empty)
+      .capture_default_str();
   text("--picture", options.picture, "FILE.svg",
        "Draw the window, for documents; of at most 400 clocks and 100 signals");
   text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
@@ -175,10 +174,10 @@ void add_options(CLI::App& command, TraceOptions& options) {
        "The first clock in which it is true instead: 'u_subdivider.sd_q == 4 && line == 240'; "
        "looked for as --around is");
   const auto number = [&](const char* name, auto& to, const char* help) {
-    return command.add_option(name, to, help)->type_name("N")->check(is_number(name, "0 or more"));
+    return command.add_option(name, to, help).type_name("N").check(is_number(name, "0 or more"));
   };
   number("--lines", options.lines, "Lines before and after the one of --around or --when")
-      ->default_str("1");
+      .default_str("1");
   number("--pre", options.pre, "Clocks before it instead of lines");
   number("--post", options.post, "Clocks after it instead of lines");
   number("--record", options.record,
@@ -188,14 +187,14 @@ void add_options(CLI::App& command, TraceOptions& options) {
        "Only signals that match, or that such a scope holds: 'chip.u_subdivider', '*.i1_q'; "
        "repeatable; with --diff, only these are compared");
   number("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
-      ->capture_default_str();
+      .capture_default_str();
   add_tt_options(command, options);
   add_set_option(command, options);
   list("--use", options.units, "UNIT=IMPLEMENTATION",
        "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
   command.add_option("--diff", options.diff, "Instead of a scene: compare two files")
-      ->type_name("A.vcd B.vcd")
-      ->expected(2);
+      .type_name("A.vcd B.vcd")
+      .expected(2);
   command.add_flag("--shared", options.shared,
                    "With --diff: only the signals and the time that both files have");
 }

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -66,7 +65,7 @@ int command_units(const UnitsOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, UnitsOptions& options) {
+void add_options(const CommandOptions& command, UnitsOptions& options) {
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

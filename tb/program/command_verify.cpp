@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -213,28 +212,28 @@ namespace {
 constexpr long long MostRandomClocks = 1'000'000'000'000;
 constexpr long long LargestSeed = 0xffffffff;
 
-void add_options(CLI::App& command, VerifyOptions& options) {
+void add_options(const CommandOptions& command, VerifyOptions& options) {
   command
       .add_option("unit", options.units,
                   "UNIT; UNIT=FILE.sv, UNIT=A.sv+B.sv, UNIT=LIST.f, UNIT=FOLDER; or all")
-      ->type_name("UNIT");
+      .type_name("UNIT");
   command.add_option("--scene", options.scene, "demo, or a scene file")
-      ->type_name("SCENE")
-      ->capture_default_str();
+      .type_name("SCENE")
+      .capture_default_str();
   add_number(command, "--frames", options.frames, "Frames of the chip, spread over the scene",
              is_number("--frames", "0..12799 in the demo"))
-      ->capture_default_str();
+      .capture_default_str();
   add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
              is_number_in("--random", 0, MostRandomClocks))
-      ->capture_default_str();
+      .capture_default_str();
   add_set_option(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
-      ->capture_default_str();
+      .capture_default_str();
   command.add_option("-o,--output", options.folder, "Folder for the waveforms of differences")
-      ->type_name("DIR")
-      ->check(not_empty())
-      ->capture_default_str();
+      .type_name("DIR")
+      .check(not_empty)
+      .capture_default_str();
   command.add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }

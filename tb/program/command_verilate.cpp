@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/command_verilate.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "tb/base/errors.h"
@@ -80,33 +79,32 @@ int command_verilate(const VerilateOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, VerilateOptions& options) {
+void add_options(const CommandOptions& command, VerilateOptions& options) {
   command.add_option("unit", options.unit, "Module; its ports are in UNIT.h below sc/")
-      ->required()
-      ->type_name("UNIT");
+      .required()
+      .type_name("UNIT");
   const auto words = [&](const char* name, std::vector<std::string>& to, const char* type,
                          const char* help) {
-    return command.add_option(name, to, help)->type_name(type)->check(not_empty());
+    return command.add_option(name, to, help).type_name(type).check(not_empty);
   };
   words("file", options.files, "FILE", ".sv, .v, a list .f, or a folder; none: the unit's own RTL");
   command.add_option("-o,--output", options.plugin, "Plug-in, for UNIT=OUT.so")
-      ->required()
-      ->type_name("OUT.so")
-      ->check(not_empty());
-  words("-D,--define", options.defines, "NAME[=VALUE]", "Define a macro; repeatable")
-      ->allow_extra_args(false);
+      .required()
+      .type_name("OUT.so")
+      .check(not_empty);
+  words("-D,--define", options.defines, "NAME[=VALUE]", "Define a macro; repeatable").repeatable();
   words("-G,--parameter", options.parameters, "NAME=VALUE", "Set a parameter; repeatable")
-      ->allow_extra_args(false);
+      .repeatable();
   words("-I,--include", options.include_folders, "DIR", "Folder of includes; repeatable")
-      ->allow_extra_args(false);
+      .repeatable();
   words("-y,--library", options.libraries, "PATH",
         "File or folder with modules that no file defines; repeatable")
-      ->allow_extra_args(false);
+      .repeatable();
   command.add_flag("--signals", options.signals,
                    "Registers inside can be read, for waveforms; slower");
   command.add_option("--depfile", options.dependencies, "Also write all files read, as for make")
-      ->type_name("FILE.d")
-      ->check(not_empty());
+      .type_name("FILE.d")
+      .check(not_empty);
 }
 
 }  // namespace

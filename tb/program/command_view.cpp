@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -131,41 +130,41 @@ int command_view(const ViewOptions& options) {
 
 namespace {
 
-void add_options(CLI::App& command, ViewOptions& options) {
-  command.add_option("scene", options.scene, "demo, or a scene file")->type_name("SCENE");
+void add_options(const CommandOptions& command, ViewOptions& options) {
+  command.add_option("scene", options.scene, "demo, or a scene file").type_name("SCENE");
   add_number(command, "--first", options.first, "First frame", is_number("--first", FirstRange))
-      ->capture_default_str();
+      .capture_default_str();
   add_number(command, "--frames", options.frames, "End after so many frames, and leave out none",
              is_number("--frames", "1 or more"));
   command
       .add_option("--level", options.level,
                   "tlm: the cores in one loop; signal: SystemC units wired at 50.4 MHz, at their "
                   "own speed; tlm without --use")
-      ->type_name("LEVEL")
-      ->check(not_empty());
+      .type_name("LEVEL")
+      .check(not_empty);
   add_set_option(command, options);
   command.add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
-      ->type_name("UNIT=IMPLEMENTATION")
-      ->allow_extra_args(false);
+      .type_name("UNIT=IMPLEMENTATION")
+      .repeatable();
   add_tt_options(command, options);
   command
       .add_option("--sound-pin", options.sound_pin,
                   "With --tt: the pin of uio_out that is heard, 0..7; 7")
-      ->type_name("N");
+      .type_name("N");
   command
       .add_option("--record-inputs", options.record_inputs,
                   "With --tt: write the inputs, those of the keys too, for --inputs")
-      ->type_name("FILE.csv")
-      ->check(not_empty());
+      .type_name("FILE.csv")
+      .check(not_empty);
   command.add_option("-o,--output", options.folder, "Folder for screenshots and GIFs")
-      ->type_name("DIR")
-      ->check(not_empty())
-      ->capture_default_str();
+      .type_name("DIR")
+      .check(not_empty)
+      .capture_default_str();
   command.add_option("--keys", options.keys, "Keys to press, one after each picture: \"1 g t o\"")
-      ->type_name("NAMES");
+      .type_name("NAMES");
   add_number(command, "--scale", options.scale, "Size of a pixel, 1..8; 0: as large as fits well",
              is_number("--scale", "0..8"))
-      ->capture_default_str();
+      .capture_default_str();
   command.add_flag(
       "--term", options.terminal,
       "In this terminal, in 24-bit colours, instead of a window; with --frames also as "

@@ -4,25 +4,21 @@
 
 namespace racebeam {
 
-const CLI::Validator& not_empty() {
-  static const CLI::Validator validator(
-      [](const std::string& text) { return text.empty() ? "an empty name" : ""; }, "", "not empty");
-  return validator;
-}
+std::string not_empty(const std::string& word) { return word.empty() ? "an empty name" : ""; }
 
-void add_set_option(CLI::App& command, RunOptions& options) {
+void add_set_option(const CommandOptions& command, RunOptions& options) {
   command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")
-      ->type_name("KNOB=VALUE")
-      ->allow_extra_args(false);
+      .type_name("KNOB=VALUE")
+      .repeatable();
 }
 
-void add_tt_options(CLI::App& command, TtOptions& options) {
+void add_tt_options(const CommandOptions& command, TtOptions& options) {
   command
       .add_option("--tt", options.project,
                   "Instead of a scene: verilate the chip of this Tiny Tapeout project (info.yaml) "
                   "and run it")
-      ->type_name("DIR")
-      ->check(not_empty());
+      .type_name("DIR")
+      .check(not_empty);
   add_number(command, "--ui", options.ui, "Input pins ui_in of the chip of --tt, 0..255",
              is_number("--ui", "0..255"));
   add_number(command, "--uio", options.uio, "Input pins uio_in of the chip of --tt, 0..255",
@@ -30,24 +26,24 @@ void add_tt_options(CLI::App& command, TtOptions& options) {
   command
       .add_option("--clock-hz", options.reading.clock_hz,
                   "The clock of the chip of --tt, instead of clock_hz of info.yaml")
-      ->type_name("N")
-      ->check(is_number("--clock-hz", "in Hz"));
+      .type_name("N")
+      .check(is_number("--clock-hz", "in Hz"));
   command.add_option("--define", options.reading.defines, "Define a macro for --tt; repeatable")
-      ->type_name("NAME[=VALUE]")
-      ->allow_extra_args(false);
+      .type_name("NAME[=VALUE]")
+      .repeatable();
   command
       .add_option("-I,--include", options.reading.include_folders,
                   "Look for includes of --tt here, before its own folders; repeatable")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+      .type_name("DIR")
+      .repeatable();
   command.add_flag("--trust", options.reading.trust,
                    "Let the RTL of --tt run commands and read and write any file");
   command
       .add_option("--inputs", options.inputs,
                   "Input pins of the chip of --tt that change in time, as `view --record-inputs` "
                   "writes them: frame,line,clock,ui,uio")
-      ->type_name("FILE.csv")
-      ->check(not_empty());
+      .type_name("FILE.csv")
+      .check(not_empty);
 }
 
 }  // namespace racebeam

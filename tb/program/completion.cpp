@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/completion.h"
 
+#include <algorithm>
+
 #include "tb/program/value_words.h"
 
 namespace racebeam {
@@ -13,15 +15,15 @@ bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '
 /// Where the command line has come to.
 class Place {
  public:
-  explicit Place(const CLI::App& app) : command_(&app) {}
+  explicit Place(const CommandText& program) : command_(&program) {}
 
   void pass(const std::string& word) {
     if (values_ > 0) {
       --values_;
     } else if (is_option(word)) {
-      option_ = command_->get_option_no_throw(word.substr(0, word.find('=')));
+      option_ = named(word.substr(0, word.find('=')));
       if (option_ && word.find('=') == std::string::npos) values_ = values_of(*option_);
-    } else if (const CLI::App* inner = inner_command(word)) {
+    } else if (const CommandText* inner = inner_command(word)) {
       command_ = inner;
       positionals_ = 0;
     } else {
@@ -33,14 +35,13 @@ class Place {
     if (values_ > 0) return values(*option_, "", word);
     const auto equals = word.find('=');
     if (is_option(word) && equals != std::string::npos) {
-      const CLI::Option* option = command_->get_option_no_throw(word.substr(0, equals));
+      const OptionText* option = named(word.substr(0, equals));
       return option ? values(*option, word.substr(0, equals + 1), word) : "";
     }
     if (!word.empty() && word[0] == '-') return options(word);
     std::string text;
-    for (const CLI::App* inner : commands())
-      text += line(inner->get_name(), inner->get_description(), word);
-    if (const CLI::Option* positional = awaited()) text += values(*positional, "", word);
+    for (const CommandText& inner : commands()) text += line(inner.name, inner.summary, word);
+    if (const OptionText* positional = awaited()) text += values(*positional, "", word);
     return text;
   }
 
@@ -50,12 +51,12 @@ class Place {
     return found.rfind(word, 0) == 0 ? found + "\t" + help + "\n" : "";
   }
   // Those that repeat an option take one word each time.
-  static int values_of(const CLI::Option& option) {
-    return std::min(option.get_items_expected_min(), option.get_items_expected_max());
+  static int values_of(const OptionText& option) {
+    return std::min(option.least_values, option.most_values);
   }
-  static std::string values(const CLI::Option& option, const std::string& before,
+  static std::string values(const OptionText& option, const std::string& before,
                             const std::string& word) {
-    const ValueWords all = value_words(option.get_type_name(), word.substr(before.size()));
+    const ValueWords all = value_words(option.type, word.substr(before.size()));
     std::string text;
     for (const std::string& one : all.words) text += line(before + one, "", word);
     if (all.paths == ValueWords::Files) text += ":files\n";
@@ -64,44 +65,50 @@ class Place {
   }
 
   /// Those that the next word may be.
-  std::vector<const CLI::App*> commands() const {
-    if (positionals_ > 0) return {};
-    return command_->get_subcommands(nullptr);
+  const std::vector<CommandText>& commands() const {
+    static const std::vector<CommandText> none;
+    return positionals_ > 0 ? none : command_->commands;
   }
-  const CLI::App* inner_command(const std::string& word) const {
-    for (const CLI::App* inner : commands())
-      if (inner->get_name() == word) return inner;
+  const CommandText* inner_command(const std::string& word) const {
+    for (const CommandText& inner : commands())
+      if (inner.name == word) return &inner;
+    return nullptr;
+  }
+  /// nullptr: none.
+  const OptionText* named(const std::string& name) const {
+    for (const OptionText& option : command_->options)
+      if (std::count(option.names.begin(), option.names.end(), name)) return &option;
     return nullptr;
   }
   std::string options(const std::string& word) const {
     std::string text;
-    for (const CLI::Option* option : command_->get_options())
-      for (const std::string& name : option->get_lnames())
-        text += line("--" + name, option->get_description(), word);
+    for (const OptionText& option : command_->options)
+      for (const std::string& name : option.names)
+        if (name[1] == '-') text += line(name, option.help, word);
     return text;
   }
   /// The positional that the next word is; nullptr: none.
-  const CLI::Option* awaited() const {
+  const OptionText* awaited() const {
     int left = positionals_;
-    for (const CLI::Option* option : command_->get_options()) {
-      if (!option->get_positional()) continue;
-      if (left < option->get_items_expected_max()) return option;
-      left -= option->get_items_expected_max();
+    for (const OptionText& option : command_->options) {
+      if (!option.names.empty()) continue;
+      if (left < option.most_values) return &option;
+      left -= option.most_values;
     }
     return nullptr;
   }
 
-  const CLI::App* command_;
-  int positionals_ = 0;                  // words of the command that were passed
-  const CLI::Option* option_ = nullptr;  // its values are awaited
-  int values_ = 0;                       // as many
+  const CommandText* command_;
+  int positionals_ = 0;                 // words of the command that were passed
+  const OptionText* option_ = nullptr;  // its values are awaited
+  int values_ = 0;                      // as many
 };
 
 }  // namespace
 
-std::string completions(const CLI::App& app, const std::vector<std::string>& words) {
+std::string completions(const CommandText& program, const std::vector<std::string>& words) {
   if (words.empty()) return {};
-  Place place(app);
+  Place place(program);
   for (auto word = words.begin(); word + 1 != words.end(); ++word) place.pass(*word);
   return place.completions(words.back());
 }

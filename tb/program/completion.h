@@ -4,9 +4,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "tb/program/command_text.h"
 
 namespace racebeam {
 
@@ -16,6 +17,6 @@ constexpr const char* CompleteOption = "--complete";
 /// Words that the last of `words` may become, with their help: "WORD<tab>HELP", one a line. A line
 /// ":files" or ":folders" if paths may stand there. `words` has no program's name; the last may be
 /// empty.
-std::string completions(const CLI::App& app, const std::vector<std::string>& words);
+std::string completions(const CommandText& program, const std::vector<std::string>& words);
 
 }  // namespace racebeam

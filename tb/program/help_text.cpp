@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::size_t Columns = 100;
 
-// `name` on the left, `text` in the column on the right, from the next line on if `name` is long.
-std::string entry(const std::string& name, const std::string& text, std::size_t left) {
+}  // namespace
+
+std::string help_entry(const std::string& name, const std::string& text, std::size_t left) {
   std::string all = "  " + name;
   if (text.empty()) return all + "\n";
   if (all.size() >= left) all += "\n" + std::string(left, ' ');
@@ -28,17 +29,6 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
     column += word.size();
   }
   return all + "\n";
-}
-
-}  // namespace
-
-std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
-  return entry(make_option_name(option, is_positional) + make_option_opts(option),
-               make_option_desc(option), get_column_width());
-}
-
-std::string HelpText::make_subcommand(const CLI::App* command) const {
-  return entry(command->get_name(), command->get_description(), get_column_width());
 }
 
 }  // namespace racebeam

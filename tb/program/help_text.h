@@ -1,18 +1,15 @@
-// HelpText: the text of --help, in lines that a window of 100 columns holds.
+// The lines of --help, in a window of 100 columns.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
 
 namespace racebeam {
 
-class HelpText : public CLI::Formatter {
- public:
-  std::string make_option(const CLI::Option* option, bool is_positional) const override;
-  std::string make_subcommand(const CLI::App* command) const override;
-};
+/// `name` on the left, `text` in the column `left`, from the next line on if `name` is long.
+std::string help_entry(const std::string& name, const std::string& text, std::size_t left);
 
 }  // namespace racebeam

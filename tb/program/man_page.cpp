@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "tb/base/version.h"
-#include "tb/program/help_text.h"
 
 namespace racebeam {
 
@@ -62,20 +61,20 @@ std::string upper(std::string text) {
 
 class Page {
  public:
-  explicit Page(const CLI::App& app) : app_(app) {}
+  explicit Page(const CommandText& program) : program_(program) {}
 
   std::string text() {
-    const std::string& name = app_.get_name();
+    const std::string& name = program_.name;
     out_ << ".TH " << quoted(upper(name)) << " 1 \"\" " << quoted(name + " " + program_version())
          << " " << quoted("User Commands") << "\n";
-    section("Name", plain(name) + " \\- " + plain(app_.get_description()) + "\n");
+    section("Name", plain(name) + " \\- " + plain(program_.summary) + "\n");
     section("Synopsis",
             bold(name) + " " + italic("command") + " [" + italic("option or argument") + " ...]\n");
     section("Options", "");
-    options(app_);
+    options(program_);
     section("Commands", "");
-    for (const CLI::App* command : app_.get_subcommands(nullptr)) add(*command, name);
-    section("Exit status", lines(app_.get_footer()));
+    for (const CommandText& command : program_.commands) add(command, name, true);
+    section("Exit status", lines(program_.footer));
     section("See also", bold("verilator") + "(1), " + bold("gtkwave") + "(1)\n");
     return out_.str();
   }
@@ -85,45 +84,41 @@ class Page {
     out_ << ".SH " << quoted(upper(heading)) << "\n" << text;
   }
 
-  void add(const CLI::App& command, const std::string& before) {
-    const std::string name = before + " " + command.get_name();
-    out_ << ".SS " << quoted(name) << "\n" << lines(command.get_description() + ".");
+  void add(const CommandText& command, const std::string& before, bool with_example) {
+    const std::string name = before + " " + command.name;
+    out_ << ".SS " << quoted(name) << "\n" << lines(command.summary + ".");
     options(command);
-    for (const CLI::App* inner : command.get_subcommands(nullptr)) add(*inner, name);
-    if (const std::string example = example_of(command);
-        !example.empty() && command.get_parent() == &app_)
+    for (const CommandText& inner : command.commands) add(inner, name, false);
+    if (const std::string example = example_of(command); !example.empty() && with_example)
       out_ << ".PP\nExample:\n.PP\n.nf\n" << plain(example) << "\n.fi\n";
   }
 
   // Positionals first; --help once for all.
-  void options(const CLI::App& command) {
+  void options(const CommandText& command) {
     std::string rest;
-    for (const CLI::Option* option : command.get_options()) {
-      if (option == command.get_help_ptr() && &command != &app_) continue;
-      const bool positional = !option->nonpositional();
-      const std::string entry = ".TP\n" + bold(help_.make_option_name(option, positional)) +
-                                italic(help_.make_option_opts(option)) + "\n" +
-                                lines(help_.make_option_desc(option));
-      if (positional) out_ << entry;
+    for (const OptionText& option : command.options) {
+      if (option.is_help && &command != &program_) continue;
+      const std::string entry =
+          ".TP\n" + bold(option.shown) + italic(option.values) + "\n" + lines(option.help);
+      if (option.names.empty()) out_ << entry;
       else rest += entry;
     }
     out_ << rest;
   }
 
-  static std::string example_of(const CLI::App& command) {
-    std::istringstream footer(command.get_footer());
+  static std::string example_of(const CommandText& command) {
+    std::istringstream footer(command.footer);
     std::string line;
     if (!std::getline(footer, line) || line != "Example:" || !std::getline(footer, line)) return {};
     return line.substr(std::min(line.find_first_not_of(' '), line.size()));
   }
 
-  const CLI::App& app_;
-  const HelpText help_;
+  const CommandText& program_;
   std::ostringstream out_;
 };
 
 }  // namespace
 
-std::string man_page(const CLI::App& app) { return Page(app).text(); }
+std::string man_page(const CommandText& program) { return Page(program).text(); }
 
 }  // namespace racebeam

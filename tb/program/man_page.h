@@ -4,12 +4,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "tb/program/command_text.h"
 
 namespace racebeam {
 
 /// racebeam(1) for man, in its macros.
-std::string man_page(const CLI::App& app);
+std::string man_page(const CommandText& program);
 
 }  // namespace racebeam

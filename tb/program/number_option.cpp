@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/number_option.h"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <system_error>
 
@@ -25,23 +24,21 @@ long long number_of(const std::string& option, const std::string& text, const st
 
 }  // namespace
 
-CLI::Validator is_number(const std::string& option, const std::string& range) {
-  return {[=](const std::string& text) {
-            number_of(option, text, range);
-            return std::string();
-          },
-          ""};
+CheckWord is_number(const std::string& option, const std::string& range) {
+  return [=](const std::string& text) {
+    number_of(option, text, range);
+    return std::string();
+  };
 }
 
-CLI::Validator is_number_in(const std::string& option, long long low, long long high) {
+CheckWord is_number_in(const std::string& option, long long low, long long high) {
   const std::string range = std::to_string(low) + ".." + std::to_string(high);
-  return {[=](const std::string& text) {
-            const long long value = number_of(option, text, range);
-            if (value < low || value > high)
-              throw UsageError(option + " " + text + " is out of range; " + range);
-            return std::string();
-          },
-          ""};
+  return [=](const std::string& text) {
+    const long long value = number_of(option, text, range);
+    if (value < low || value > high)
+      throw UsageError(option + " " + text + " is out of range; " + range);
+    return std::string();
+  };
 }
 
 }  // namespace racebeam

@@ -6,17 +6,15 @@
 
 #include <string>
 
-namespace CLI {
-class Validator;
-}  // namespace CLI
+#include "tb/program/command_options.h"
 
 namespace racebeam {
 
 /// Throws UsageError unless `option` is followed by a whole number; the message ends with `range`.
 /// The range itself is judged where it is known.
-CLI::Validator is_number(const std::string& option, const std::string& range);
+CheckWord is_number(const std::string& option, const std::string& range);
 
 /// The same, and the number must be within low..high.
-CLI::Validator is_number_in(const std::string& option, long long low, long long high);
+CheckWord is_number_in(const std::string& option, long long low, long long high);
 
 }  // namespace racebeam

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 namespace racebeam {
 
 using Json = nlohmann::ordered_json;

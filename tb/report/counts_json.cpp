@@ -3,6 +3,7 @@
 #include "tb/report/counts_json.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sc/base/constants.h"
 

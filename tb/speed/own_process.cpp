@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/speed/own_process.h"
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tb/base/forked.h"

@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace racebeam {
 

@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <set>
 
 #include "sc/beam/knobs.h"
 #include "tb/program/command.h"
+#include "tb/program/command_line.h"
 #include "tb/program/value_words.h"
 #include "tests/cli/program.h"
 
@@ -39,22 +39,16 @@ class CliTest : public testing::Test {
   }
 };
 
-/// The commands of the program, with their options, and with the commands that they have.
-struct Reader {
-  CLI::App app;
-  std::vector<RunCommand> runs;
-  std::vector<std::pair<Words, CLI::App*>> commands;
-
-  Reader() {
-    for (const Command& row : command_table()) {
-      CLI::App* command = app.add_subcommand(row.name);
-      runs.push_back(row.add(*command));
-      commands.push_back({{row.name}, command});
-      for (CLI::App* inner : command->get_subcommands({}))
-        commands.push_back({{row.name, inner->get_name()}, inner});
-    }
+/// The commands of the program, and those that they have, by their words.
+std::vector<std::pair<Words, CommandText>> commands() {
+  std::vector<std::pair<Words, CommandText>> all;
+  for (const CommandText& command : program_text().commands) {
+    all.push_back({{command.name}, command});
+    for (const CommandText& inner : command.commands)
+      all.push_back({{command.name, inner.name}, inner});
   }
-};
+  return all;
+}
 
 TEST_F(CliTest, HelpNamesEveryCommandAndIsGood) {
   Program program(folder.path(), {"--help"});
@@ -66,29 +60,27 @@ TEST_F(CliTest, HelpNamesEveryCommandAndIsGood) {
 }
 
 TEST_F(CliTest, HelpOfACommandNamesItsOptionsAndAnExample) {
-  for (const auto& [words, command] : Reader().commands) {
+  for (const auto& [words, command] : commands()) {
     Words all = words;
     all.push_back("--help");
     Program program(folder.path(), all);
     EXPECT_EQ(program.wait(), 0);
     EXPECT_THAT(program.out(), ContainsRegex("Example:\n  racebeam " + words.front() + "[ \n]"));
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames())
-        EXPECT_THAT(program.out(), HasSubstr("--" + name)) << words.back();
+    for (const OptionText& option : command.options)
+      for (const std::string& name : option.names)
+        EXPECT_THAT(program.out(), HasSubstr(name)) << words.back();
   }
 }
 
 TEST_F(CliTest, ExamplesAreUnderstood) {
-  for (const Command& row : command_table()) {
-    Reader reader;
-    EXPECT_NO_THROW(reader.app.parse(row.example)) << row.example;
-  }
+  for (const Command& row : command_table())
+    EXPECT_NO_THROW(check_command_line(row.example)) << row.example;
 }
 
 TEST_F(CliTest, HelpIsAtMost100ColumnsWideAndNamesNoTypesOfAProgram) {
-  std::vector<Words> commands = {{}};
-  for (const auto& [words, command] : Reader().commands) commands.push_back(words);
-  for (Words words : commands) {
+  std::vector<Words> all = {{}};
+  for (const auto& [words, command] : commands()) all.push_back(words);
+  for (Words words : all) {
     words.push_back("--help");
     Program program(folder.path(), words);
     EXPECT_EQ(program.wait(), 0) << program.err();
@@ -103,9 +95,8 @@ TEST_F(CliTest, HelpIsAtMost100ColumnsWideAndNamesNoTypesOfAProgram) {
 
 TEST_F(CliTest, CompletionHasWordsForTypesOfTheHelpOnly) {
   std::set<std::string> types = {"SHELL"};
-  const Reader reader;
-  for (const auto& [words, command] : reader.commands)
-    for (const CLI::Option* option : command->get_options()) types.insert(option->get_type_name());
+  for (const auto& [words, command] : commands())
+    for (const OptionText& option : command.options) types.insert(option.type);
   for (const std::string& type : types_with_words()) {
     EXPECT_EQ(types.count(type), 1u) << type;
     EXPECT_THAT(value_words(type, "").words, Not(testing::IsEmpty())) << type;
