@@ -101,7 +101,8 @@ void add_run_options(const CommandOptions& run, Options& options) {
       .type_name("DIR")
       .repeatable();
   run.add_flag("--fresh", options.run.fresh,
-               "Measure anew with another model; the old results are kept");
+               "Try again what failed; with another model measure anew, the "
+               "old results are kept");
   run.add_flag("--dry-run", options.run.dry_run,
                "Say points, frames, time and disk; write nothing");
 }

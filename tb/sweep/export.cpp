@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "tb/sweep/row_digest.h"
+#include "tb/sweep/sweep_changes.h"
 
 namespace racebeam {
 
@@ -45,6 +47,17 @@ std::string name_of(const StoredPoint& point) {
   return point.name.empty() ? text_hash(point.setting) : point.name;
 }
 
+/// Names of scenes by id; of one whose file has changed since its hash.
+std::map<std::int64_t, std::string> scene_names(Store& store, std::int64_t model) {
+  std::map<std::int64_t, std::string> names, hashes;
+  for (const StoredScene& scene : store.scenes()) {
+    names[scene.id] = scene.name;
+    hashes[scene.id] = scene.hash;
+  }
+  for (const OlderScene& scene : older_scenes(store, model)) names[scene.id] = hashes[scene.id];
+  return names;
+}
+
 }  // namespace
 
 void export_points(Store& store, std::int64_t model, OutputFile& out) {
@@ -62,18 +75,18 @@ void export_points(Store& store, std::int64_t model, OutputFile& out) {
   write(out, head + ",failure\n");
   Statement select(
       store.database(),
-      "SELECT k.point, s.name, count(*) FILTER (WHERE f.kind = 'sample'), "
+      "SELECT k.point, k.scene, count(*) FILTER (WHERE f.kind = 'sample'), "
       "count(*) FILTER (WHERE f.kind = 'guard'), coalesce(x.reason, '')" +
           means +
           " FROM (SELECT DISTINCT model, scene, point FROM frame WHERE model = ?1 "
           "UNION SELECT model, scene, point FROM failure WHERE model = ?1) k "
-          "JOIN scene s ON s.id = k.scene "
           "LEFT JOIN frame f ON f.model = k.model AND f.scene = k.scene AND f.point = k.point "
           "LEFT JOIN failure x ON x.model = k.model AND x.scene = k.scene AND x.point = k.point "
           "GROUP BY k.scene, k.point ORDER BY k.scene, k.point");
+  std::map<std::int64_t, std::string> scenes = scene_names(store, model);
   for (select.with(model); select.next();) {
     const StoredPoint& point = with_id(points, select.integer(0));
-    std::string row = csv_cell(name_of(point)) + ',' + csv_cell(select.text(1)) +
+    std::string row = csv_cell(name_of(point)) + ',' + csv_cell(scenes[select.integer(1)]) +
                       setting_cells(point, settings) +
                       fmt::format(",{},{}", select.integer(2), select.integer(3));
     for (int i = 5; i < select.columns(); ++i)
@@ -88,10 +101,10 @@ void export_frames(Store& store, std::int64_t model, OutputFile& out) {
   for (const std::string& name : columns) head += ',' + csv_cell(name);
   write(out, head + '\n');
   const std::vector<StoredPoint> points = store.points();
-  for (const StoredScene& scene : store.scenes())
+  for (const auto& [scene, name] : scene_names(store, model))
     for (const StoredPoint& point : points) {
-      const std::string whose = csv_cell(name_of(point)) + ',' + csv_cell(scene.name);
-      for (const FrameRow& row : store.frames.read({model, scene.id, point.id})) {
+      const std::string whose = csv_cell(name_of(point)) + ',' + csv_cell(name);
+      for (const FrameRow& row : store.frames.read({model, scene, point.id})) {
         std::string text = fmt::format("{},{},{},{:016x}", whose, row.frame,
                                        row.guard ? "guard" : "sample", row.digest);
         for (std::size_t i = 0; i < columns.size(); ++i)

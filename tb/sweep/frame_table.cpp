@@ -41,7 +41,7 @@ struct FrameTable::Block {
         insert(database, "INSERT INTO frame(model, scene, point, frame, kind, digest" +
                              quoted_list(names) + ") VALUES (?, ?, ?, ?, ?, ?" +
                              places(names.size()) + ") ON CONFLICT DO NOTHING"),
-        find(database, std::string("SELECT kind, digest FROM frame") + OfFrame),
+        find(database, "SELECT kind, digest" + quoted_list(names) + " FROM frame" + OfFrame),
         sample(database, std::string("UPDATE frame SET kind = 'sample'") + OfFrame) {}
 
   const FrameKey key;
@@ -105,7 +105,10 @@ void FrameTable::put_row(Block& block, const FrameRow& row) {
   block.counts = fresh && !row.guard;
   if (fresh) return;
   block.find.with(key.model, key.scene, key.point, row.frame).next();
-  const bool guard = block.find.view(0) == "guard", same = block.find.integer(1) == digest;
+  const bool guard = block.find.view(0) == "guard";
+  bool same = block.find.integer(1) == digest;
+  for (std::size_t i = 0; i < row.values.size(); ++i)
+    same = same && block.find.integer(static_cast<int>(i) + 2) == row.values[i];
   block.find.reset();
   if (!same) {
     dispute(block, row);

@@ -128,13 +128,14 @@ void read_swept_knobs(const TomlNode& node, SweepFile& file, Faults& faults) {
     if (entry.key == Where) {
       read_where(entry.value, file, faults);
     } else if (const knob_info* row = row_of(entry, {Where}, faults)) {
-      KnobValues values{row, {}};
+      KnobValues values{row, {}, false};
       if (entry.value.kind == TomlNode::Array) {
         read_list(entry.value, *row, values.values, faults);
       } else if (entry.value.kind == TomlNode::Table) {
         read_range(entry.value, *row, values.values, faults);
       } else {
         int value = 0;
+        values.fixed = true;
         if (read_value(entry.value, *row, value, faults)) values.values = {value};
       }
       file.knobs.push_back(std::move(values));

@@ -47,7 +47,7 @@ Measurer::Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& stor
   points_ = store.points(points);
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
     const Show& show = plan.scenes[scene].show;
-    scenes_.push_back(store.scene({show.name(), show.hash(), show.frames()}));
+    scenes_.push_back(store.scene({plan.scenes[scene].name, show.hash(), show.frames()}));
     const auto there = store.frames.there(model, scenes_.back());
     for (std::size_t point = 0; point < plan.points.size(); ++point) {
       const std::size_t at = point * plan.scenes.size() + scene;

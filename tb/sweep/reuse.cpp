@@ -47,11 +47,11 @@ std::int64_t reuse_results(Store& store, std::int64_t model, const SweepPlan& pl
     std::map<std::string, std::int64_t> from_scenes;
     for (const StoredScene& scene : other.scenes()) from_scenes[scene.hash] = scene.id;
     for (std::size_t at = 0; at < points.size(); ++at) {
-      const Show& show = plan.scenes[at % plan.scenes.size()].show;
+      const auto& [name, show, order] = plan.scenes[at % plan.scenes.size()];
       const auto point = from_points.find(points[at].setting);
       const auto scene = from_scenes.find(show.hash());
       if (point == from_points.end() || scene == from_scenes.end()) continue;
-      const FrameKey key{model, store.scene({show.name(), show.hash(), show.frames()}), ids[at]};
+      const FrameKey key{model, store.scene({name, show.hash(), show.frames()}), ids[at]};
       frames +=
           store.frames.take_over(key, other.frames, {from_model, scene->second, point->second});
     }

@@ -71,6 +71,13 @@ class Comparer : public BlockRunner::Owner {
   std::string& report_;
 };
 
+// Why it is not what has been measured; "": it is.
+std::string repeatable(const StoredScene& scene) try {
+  return open_show(scene.name).hash() == scene.hash ? "" : " has changed";
+} catch (const UsageError& error) {
+  return std::string(" cannot be read (") + error.what() + ")";
+}
+
 // The knobs of a stored setting, and what it was compared with.
 bool read_setting(const std::string& text, knobs& k, SweepReference& reference) {
   const auto& words = reference_words();
@@ -103,17 +110,17 @@ bool repeat_frames(Store& store, std::int64_t model, int sample, ForkServer& ser
                           hash, model_hash("beam"));
     return true;
   }
-  std::map<std::int64_t, Show> shows;
+  std::map<std::int64_t, StoredScene> scenes;
   std::vector<std::pair<FrameKey, int>> stored;
   for (const StoredScene& scene : store.scenes()) {
     const auto there = store.frames.there(model, scene.id);
     if (there.empty()) continue;
-    const Show show = open_show(scene.name);
-    if (show.hash() != scene.hash) {
-      report += "the scene " + scene.name + " has changed: its results cannot be repeated\n";
+    const std::string why = repeatable(scene);
+    if (!why.empty()) {
+      report += "the scene " + scene.name + why + ": its results cannot be repeated\n";
       continue;
     }
-    shows.emplace(scene.id, show);
+    scenes[scene.id] = scene;
     for (const auto& [point, frames] : there)
       for (const KeptFrame& frame : frames)
         stored.push_back({{model, scene.id, point}, frame.frame});
@@ -130,12 +137,11 @@ bool repeat_frames(Store& store, std::int64_t model, int sample, ForkServer& ser
   std::map<int, std::string> names;
   for (auto& [of, block] : blocks) {
     const auto& [scene, point] = of;
-    const Show& show = shows.at(scene);
     block.number = static_cast<int>(list.size()) + 1;
     keys[block.number] = {model, scene, point};
     names[block.number] = points[point].name.empty() ? "a point" : points[point].name;
-    block.scene_name = show.name();
-    block.scene_hash = show.hash();
+    block.scene_name = scenes[scene].name;
+    block.scene_hash = scenes[scene].hash;
     block.is_base = true;  // whatever it was compared with, its own picture serves
     if (!read_setting(points[point].setting, block.k, block.reference)) {
       report += names[block.number] + " has knobs that this program does not know\n";

@@ -33,7 +33,7 @@ void narrow(SweepFile& file, const std::string& assignment) {
   set_knob(k, assignment);
   const std::string name = assignment.substr(0, assignment.find('='));
   const knob_info* row = swept_knob(name);
-  const KnobValues only{row, {k.*row->member}};
+  const KnobValues only{row, {k.*row->member}, true};
   const auto at = std::find_if(file.knobs.begin(), file.knobs.end(),
                                [&](const KnobValues& one) { return one.row == row; });
   if (at != file.knobs.end()) *at = only;

@@ -20,6 +20,7 @@ namespace racebeam {
 struct KnobValues {
   const knob_info* row;
   std::vector<int> values;
+  bool fixed = false;  ///< one value, no list: all points of the search have it
 };
 
 struct SweepFrames {

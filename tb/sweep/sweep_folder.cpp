@@ -126,11 +126,6 @@ std::optional<std::string> SweepFolder::user() const {
   return Owner(lock.text()).words();
 }
 
-std::string SweepFolder::pictures() const {
-  make_folder(file("pictures"));
-  return file("pictures");
-}
-
 std::string SweepFolder::sweep() const { return whole_file(file("sweep.toml")); }
 std::string SweepFolder::status() const { return whole_file(file("status.json")); }
 
@@ -141,14 +136,24 @@ void SweepFolder::keep_sweep(const std::string& text) const {
 void SweepFolder::keep_status(const std::string& json) const { keep("status.json", json); }
 
 std::string SweepFolder::keep_failure(const std::string& point, const std::string& text) const {
-  make_folder(file("failed"));
   const std::string name = "failed/" + file_name_of(point) + ".txt";
-  keep(name, text);
+  keep(name, text, "failed");
   return name;
 }
 
-void SweepFolder::keep(const std::string& name, const std::string& text) const {
+void SweepFolder::keep_picture(const std::string& name, const std::string& bytes) const {
+  keep("pictures/" + name, bytes, "pictures");
+}
+
+bool SweepFolder::has_picture(const std::string& name) const {
+  std::error_code ignored;
+  return fs::exists(file("pictures/" + name), ignored);
+}
+
+void SweepFolder::keep(const std::string& name, const std::string& text,
+                       const std::string& folder) const {
   try {
+    if (!folder.empty()) make_folder(file(folder));
     write_text(file(name), text);
   } catch (const OutputError&) {
     std::error_code error;

@@ -31,8 +31,6 @@ class SweepFolder {
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   std::string store() const { return file("sweep.sqlite"); }
-  /// Made if need be.
-  std::string pictures() const;
 
   /// The sweep as it was read the last time; "": never.
   std::string sweep() const;
@@ -43,6 +41,8 @@ class SweepFolder {
   std::string status() const;
   /// The file's name, from the folder.
   std::string keep_failure(const std::string& point, const std::string& text) const;
+  void keep_picture(const std::string& file, const std::string& bytes) const;
+  bool has_picture(const std::string& file) const;
 
   /// "process 4711 on this machine since 12:03"; nothing if nobody writes to it.
   std::optional<std::string> user() const;
@@ -50,7 +50,7 @@ class SweepFolder {
  private:
   void check() const;
   void take();
-  void keep(const std::string& name, const std::string& text) const;
+  void keep(const std::string& name, const std::string& text, const std::string& folder = "") const;
 
   const std::string path_;
   const std::filesystem::path folder_;

@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "sc/base/constants.h"
 #include "tb/base/interrupt.h"
-#include "tb/base/output_file.h"
 #include "tb/picture/picture_format.h"
 #include "tb/sweep/export.h"
 #include "tb/sweep/figures.h"
@@ -46,11 +44,11 @@ std::vector<Kept> asked(const SweepPlan& plan, const SweepState& state, int poin
   return all;
 }
 
-void write_picture(const std::string& path, const std::string& packed_picture) {
+std::string file_of(const std::string& packed_picture) {
   const std::string bytes = unpacked(packed_picture, std::size_t(VisibleColumns) * VisibleRows);
-  write_text(path, picture_bytes(picture_formats().front(),
-                                 std::vector<std::uint8_t>(bytes.begin(), bytes.end()),
-                                 VisibleColumns, VisibleRows));
+  return picture_bytes(picture_formats().front(),
+                       std::vector<std::uint8_t>(bytes.begin(), bytes.end()), VisibleColumns,
+                       VisibleRows);
 }
 
 }  // namespace
@@ -58,28 +56,27 @@ void write_picture(const std::string& path, const std::string& packed_picture) {
 bool keep_pictures(const SweepPlan& plan, const SweepFolder& folder, Measurer& measurer,
                    const SweepState& state) {
   if (plan.file.measure.pictures.empty() && !plan.file.measure.worst_picture) return true;
-  const std::string place = folder.pictures() + "/";
   std::string index = "point,scene,frame,why,file\n";
   for (const int point : state.running())
     for (int scene = 0; scene < static_cast<int>(plan.scenes.size()); ++scene) {
       const std::vector<Kept> all = asked(plan, state, point, scene);
       Want want{point, scene, {}};
       for (const Kept& one : all)
-        if (!std::filesystem::exists(place + one.file) &&
+        if (!folder.has_picture(one.file) &&
             std::find(want.frames.begin(), want.frames.end(), one.frame) == want.frames.end())
           want.frames.push_back(one.frame);
       const std::map<int, std::string> pictures = measurer.pictures(want);
       if (interrupted()) return false;
       for (const Kept& one : all) {
         if (const auto at = pictures.find(one.frame); at != pictures.end())
-          write_picture(place + one.file, at->second);
+          folder.keep_picture(one.file, file_of(at->second));
         index += fmt::format("{},{},{},{},{}\n",
                              csv_cell(plan.points[static_cast<std::size_t>(point)].point.name),
                              csv_cell(plan.scenes[static_cast<std::size_t>(scene)].name), one.frame,
                              one.why, one.file);
       }
     }
-  write_text(place + "index.csv", index);
+  folder.keep_picture("index.csv", index);
   return true;
 }
 

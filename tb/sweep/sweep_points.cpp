@@ -97,9 +97,14 @@ class PointMaker {
   }
 
   void ask_one_by_one() {
+    SweepPoint middle = file_.base;
+    for (const KnobValues& knob : file_.knobs)
+      if (knob.fixed) middle.set_knob(*knob.row, knob.values.front());
+    if (middle.k != file_.base.k) ask(middle);
     for (const KnobValues& knob : file_.knobs)
       for (const int value : knob.values) {
-        SweepPoint point = file_.base;
+        if (knob.fixed) continue;
+        SweepPoint point = middle;
         point.set_knob(*knob.row, value);
         ask(std::move(point));
       }

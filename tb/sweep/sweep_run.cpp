@@ -16,6 +16,8 @@
 #include "tb/sweep/model_hash.h"
 #include "tb/sweep/provenance.h"
 #include "tb/sweep/reuse.h"
+#include "tb/sweep/schema.h"
+#include "tb/sweep/sweep_changes.h"
 #include "tb/sweep/sweep_dry_run.h"
 #include "tb/sweep/sweep_pictures.h"
 #include "tb/sweep/sweep_progress.h"
@@ -36,21 +38,26 @@ class Sweep {
         plan_(plan),
         folder_(folder),
         store_(folder.store(), Access::Write),
+        former_(store_),
         model_(open_model(store_, plan, folder.path(), options.fresh)),
         reused_(reuse_results(store_, model_, plan, options.reuse)),
         progress_(plan, folder),
         measurer_(plan, folder, store_, model_, server, options.jobs,
                   [this] { progress_.look(measurer_, rung_); }),
         state_(plan, store_, measurer_),
-        silicon_(plan, &store_) {}
+        silicon_(plan, &store_, options.fresh) {}
 
   int run() {
     const std::string key = plan_.key() + model_hash("beam");
-    if (const std::string found = store_.notes.find("found " + key); !found.empty()) {
+    folder_.keep_sweep(plan_.text);
+    keep_scenes(store_, plan_);
+    tell_lines(former_.change_to(plan_));
+    tell_lines(scenes_text(older_scenes(store_, model_)));
+    const std::string found = store_.notes.find("found " + key);
+    if (!found.empty() && !options_.fresh && !is_new_program(store_, model_)) {
       print(found);
       return store_.notes.find("failed " + key).empty() ? ExitGood : ExitDifference;
     }
-    folder_.keep_sweep(plan_.text);
     tell(plan_text(plan_, there()) + silicon_.plan_text());
     if (reused_ > 0) tell(fmt::format("{} frames taken over", grouped(reused_)));
     const std::int64_t id = store_.runs.begin(this_run(options_.command, options_.jobs));
@@ -71,12 +78,16 @@ class Sweep {
     store_.stopped.replace(model_, state_.stops());
     const std::string text = summary_text(plan_, measurer_, state_, rung_);
     print(text);
-    store_.notes.put("found " + key, text);
+    store_.notes.put("found " + key, silicon_.absent() ? "" : text);
     store_.notes.put("failed " + key, measurer_.failed() ? "yes" : "");
     return measurer_.failed() ? ExitDifference : ExitGood;
   }
 
  private:
+  static void tell_lines(const std::string& text) {
+    for (const std::string& line : lines_of(text)) tell(line);
+  }
+
   int last_rung() const {
     int most = 0;
     for (std::size_t scene = 0; scene < plan_.scenes.size(); ++scene)
@@ -126,15 +137,14 @@ class Sweep {
   /// Another program with the same model counts the same.
   bool repeats() {
     if (!is_new_program(store_, model_)) return true;
-    std::vector<int> there;
-    for (const FrameRow& row : store_.frames.read(measurer_.key(0, 0), {}))
-      if (!row.guard) there.push_back(row.frame);
-    std::vector<int> some;
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, there.size()); ++i)
-      some.push_back(there[i * there.size() / 3]);
-    std::sort(some.begin(), some.end());
-    some.erase(std::unique(some.begin(), some.end()), some.end());
-    if (!some.empty() && !measurer_.repeat({0, 0, some})) return false;
+    std::vector<Want> there;  // the base first: others are compared with its pictures
+    for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
+      for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
+        for (const FrameRow& row : store_.frames.read(measurer_.key(point, scene), {}))
+          if (!row.guard) there.push_back({point, scene, {row.frame}});
+    const std::size_t some = std::min<std::size_t>(3, there.size());
+    for (std::size_t i = 0; i < some; ++i)
+      if (!measurer_.repeat(there[i * (there.size() - 1) / 2])) return false;
     know_program(store_, model_);
     return true;
   }
@@ -157,6 +167,7 @@ class Sweep {
   const SweepPlan& plan_;
   SweepFolder& folder_;
   Store store_;
+  const FormerPoints former_;
   const std::int64_t model_, reused_;
   int rung_ = 0;
   SweepProgress progress_;

@@ -15,9 +15,9 @@ struct SweepOptions {
   int jobs = 1;                          ///< workers at once
   std::vector<std::string> assignments;  ///< knob=value: what the file is narrowed to
   std::vector<std::string> reuse;        ///< folders of other sweeps, whose equal results are taken
-  bool fresh = false;                    ///< another model than before may measure anew
-  bool dry_run = false;                  ///< says what it would do
-  std::string command;                   ///< that the user gave
+  bool fresh = false;    ///< tries again what failed; another model may measure anew
+  bool dry_run = false;  ///< says what it would do
+  std::string command;   ///< that the user gave
 };
 
 /// Starts a sweep, or goes on. Says the plan on stderr and what it found on stdout. The exit code.

@@ -13,7 +13,14 @@
 
 namespace racebeam {
 
-SweepSilicon::SweepSilicon(const SweepPlan& plan, Store* store) : plan_(plan), store_(store) {
+namespace {
+
+std::string fault_note(const UnitParameters& unit) { return "no silicon of " + unit.hash; }
+
+}  // namespace
+
+SweepSilicon::SweepSilicon(const SweepPlan& plan, Store* store, bool fresh)
+    : plan_(plan), store_(store) {
   if (!plan.file.measure.silicon) return;
   try {
     silicon_.emplace(plan.scenes.front().show.engine());
@@ -27,6 +34,14 @@ SweepSilicon::SweepSilicon(const SweepPlan& plan, Store* store) : plan_(plan), s
     return store_->units.find(hash);
   });
   for (const PlannedPoint& point : plan.points) syntheses_->want(point.k.front());
+  if (!store || fresh) return;
+  std::size_t faults = 0;
+  for (const UnitParameters& unit : syntheses_->missing())
+    if (const std::string fault = store->notes.find(fault_note(unit)); !fault.empty()) {
+      syntheses_->put(unit, {{}, fault});
+      ++faults;
+    }
+  if (faults > 0) tell(counted(faults, "unit") + " that yosys has failed on: --fresh tries again");
 }
 
 bool SweepSilicon::needed() const {
@@ -51,6 +66,7 @@ void SweepSilicon::measure(SweepState& state, Measurer& measurer, int jobs) {
   synthesise(syntheses_->missing(), how,
              [&](const UnitParameters& unit, const UnitOutcome& outcome) {
                if (outcome.silicon) store_->units.put(*outcome.silicon);
+               else store_->notes.put(fault_note(unit), outcome.fault);
                syntheses_->put(unit, outcome);
              });
   for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point) {

@@ -17,7 +17,10 @@ class SweepSilicon {
  public:
   /// `store`: nullptr if there is none yet. Without yosys there are no figures, which it says once;
   /// throws MissingTool if a goal needs them.
-  SweepSilicon(const SweepPlan& plan, Store* store);
+  /// What yosys has failed on in another run fails again, unless `fresh`: then it is tried.
+  SweepSilicon(const SweepPlan& plan, Store* store, bool fresh = false);
+  /// There is no yosys, and no goal that needs it.
+  bool absent() const { return plan_.file.measure.silicon && !silicon_; }
 
   /// "; silicon: 25 unit syntheses (of 946 without sharing)"
   std::string plan_text() const;

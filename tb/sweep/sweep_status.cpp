@@ -15,6 +15,7 @@
 #include "tb/sweep/store.h"
 #include "tb/sweep/store_check.h"
 #include "tb/sweep/stored_frames.h"
+#include "tb/sweep/sweep_changes.h"
 #include "tb/sweep/sweep_folder.h"
 #include "tb/sweep/worker.h"
 
@@ -63,6 +64,11 @@ Json status_json(const std::string& path) {
   const std::int64_t model = model_of(store);
   json["stored_frames"] = model ? store.frames.count(model) : 0;
   json["disputed_frames"] = model ? store.frames.disputed(model) : 0;
+  Json older = Json::array();
+  if (model)
+    for (const OlderScene& scene : older_scenes(store, model))
+      older.push_back({{"scene", scene.name}, {"frames", scene.frames}});
+  json["older_results"] = older;
   Json failures = Json::array();
   std::map<std::int64_t, std::string> names;
   for (const StoredPoint& point : store.points()) names[point.id] = point.name;
@@ -96,6 +102,8 @@ std::string words(const Json& json) {
                     json.value("frames_a_second", 0.0));
   if (const auto disputed = json["disputed_frames"].get<long long>())
     text += fmt::format("{} frames have differed from themselves\n", grouped(disputed));
+  for (const Json& scene : json["older_results"])
+    text += scenes_text({{0, scene["scene"], scene["frames"]}});
   for (const Json& failure : json["failures"])
     text += fmt::format("failed: {}: {}\n", failure["point"].get<std::string>(),
                         failure["reason"].get<std::string>());

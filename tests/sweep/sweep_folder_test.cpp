@@ -103,7 +103,9 @@ TEST_F(SweepFolderTest, WhatIsKeptIsThereForOthers) {
   sweep.keep_status("{\"done\": 1}");
   sweep.keep_status("{\"done\": 2}");
   EXPECT_EQ(sweep.keep_failure("no \"limits\"/1", "died"), "failed/no%20%22limits%22%2F1.txt");
-  EXPECT_TRUE(std::filesystem::is_directory(sweep.pictures()));
+  sweep.keep_picture("a.png", "x");
+  EXPECT_TRUE(sweep.has_picture("a.png"));
+  EXPECT_FALSE(sweep.has_picture("b.png"));
   OpenStore store(sweep.store());
   const SweepFolder other(path, Access::Read);
   EXPECT_EQ(other.sweep(), "name = \"a\"\n");
