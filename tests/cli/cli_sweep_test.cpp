@@ -3,8 +3,6 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <sqlite3.h>
-
 #include "tests/cli/sweep_bench.h"
 
 namespace racebeam {
@@ -150,15 +148,11 @@ TEST_F(CliSweepTest, CheckMeasuresStoredFramesAgain) {
 TEST_F(CliSweepTest, CheckFindsOneFlippedBit) {
   write(SmallSweep);
   expect_run("out");
-  sqlite3* store = nullptr;
-  ASSERT_EQ(sqlite3_open((folder / "out/sweep.sqlite").c_str(), &store), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(store,
-                         "UPDATE frame SET decisions = (decisions | 1) - (decisions & 1) "
-                         "WHERE point = 2 AND frame = (SELECT max(frame) FROM frame)",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  EXPECT_EQ(sqlite3_changes(store), 1);
-  sqlite3_close(store);
+  EXPECT_EQ(query(store("out"),
+                  "UPDATE frame SET decisions = (decisions | 1) - (decisions & 1) "
+                  "WHERE point = 2 AND frame = (SELECT max(frame) FROM frame) RETURNING point")
+                .size(),
+            1u);
   Program check(folder.path(), {"sweep", "check", "out"});
   EXPECT_EQ(check.wait(), 1) << check.out();
 }

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "tests/cli/program.h"
 #include "tests/cli/racebeam_processes.h"
@@ -20,6 +22,31 @@ inline constexpr const char* SmallSweep =
     "[frames]\nsample = 16\nguard = 0\n"
     "[knobs]\ninterval_stack_depth = [2, 4]\nhurry_threshold = [32, 64]\n"
     "[measure]\nsilicon = \"off\"\n";
+
+/// Two points of four frames: what a start costs, and little more.
+inline constexpr const char* TinySweep =
+    "name = \"tiny\"\n"
+    "[frames]\nsample = 4\nguard = 0\n"
+    "[knobs]\nfifo_entries = [4, 10]\n"
+    "[measure]\nsilicon = \"off\"\n";
+
+/// "40", "41": the first column of a query.
+inline std::vector<std::string> query(const std::string& store, const std::string& sql) {
+  std::vector<std::string> cells;
+  const auto take = [](void* to, int, char** row, char**) {
+    static_cast<std::vector<std::string>*>(to)->emplace_back(row[0] ? row[0] : "NULL");
+    return 0;
+  };
+  sqlite3* handle = nullptr;
+  char* error = nullptr;
+  sqlite3_open(store.c_str(), &handle);
+  sqlite3_busy_timeout(handle, 10'000);
+  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), take, &cells, &error), SQLITE_OK)
+      << (error ? error : "");
+  sqlite3_free(error);
+  sqlite3_close(handle);
+  return cells;
+}
 
 class CliSweepTest : public testing::Test {
  protected:
@@ -35,9 +62,15 @@ class CliSweepTest : public testing::Test {
     return words;
   }
   void expect_run(const std::string& out, const Words& more = {}) const {
-    Program run(folder.path(), run_words(out, more));
-    EXPECT_EQ(run.wait(), 0) << run.err();
+    expect(run_words(out, more), 0);
   }
+  /// What a command says on both, when it has ended so.
+  std::string expect(const Words& words, int code, const Program::Setting& setting = {}) const {
+    Program run(folder.path(), words, setting);
+    EXPECT_EQ(run.wait(), code) << words[1] << ": " << run.err();
+    return run.err() + run.out();
+  }
+  std::string store(const std::string& out) const { return folder / (out + "/sweep.sqlite"); }
   /// All frames of a sweep as CSV.
   std::string frames_of(const std::string& out) const {
     Program run(folder.path(), {"sweep", "export", out, "--frames", out + ".csv"});
@@ -48,22 +81,22 @@ class CliSweepTest : public testing::Test {
   ScratchFolder folder;
 };
 
-/// The cells of a CSV file by the names in its head; none is in quotes.
+/// The cells of a CSV file by the names in its head.
 inline std::vector<std::map<std::string, std::string>> read_csv(const std::string& text) {
-  std::istringstream lines(text);
-  std::vector<std::string> head;
-  std::vector<std::map<std::string, std::string>> rows;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream cells(line);
-    std::vector<std::string> row;
-    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
-    if (head.empty()) {
-      head = row;
-      continue;
-    }
-    row.resize(head.size());
-    rows.emplace_back();
-    for (std::size_t i = 0; i < head.size(); ++i) rows.back()[head[i]] = row[i];
+  std::vector<std::vector<std::string>> all = {{""}};
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& cell = all.back().back();
+    if (text[i] == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"') cell += text[i++];
+    else if (text[i] == '"') quoted = !quoted;
+    else if (quoted || (text[i] != ',' && text[i] != '\n')) cell += text[i];
+    else if (text[i] == ',') all.back().emplace_back();
+    else if (i + 1 < text.size()) all.push_back({""});
+  }
+  std::vector<std::map<std::string, std::string>> rows(all.size() - 1);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    all[row + 1].resize(all[0].size());
+    for (std::size_t i = 0; i < all[0].size(); ++i) rows[row][all[0][i]] = all[row + 1][i];
   }
   return rows;
 }
