@@ -185,16 +185,19 @@ Statement::Kind Statement::kind(int column) const {
 int Statement::columns() const { return sqlite3_column_count(handle_); }
 std::string Statement::name(int column) const { return sqlite3_column_name(handle_, column); }
 
-Transaction::Transaction(Database& database) : database_(database) {
-  database_.run("BEGIN IMMEDIATE");
+Transaction::Transaction(Database& database)
+    : database_(database), outer_(sqlite3_get_autocommit(database.handle())) {
+  if (outer_) database_.run("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
-  if (!sqlite3_get_autocommit(database_.handle()))
+  if (outer_ && !sqlite3_get_autocommit(database_.handle()))
     sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 
-void Transaction::commit() { database_.run("COMMIT"); }
+void Transaction::commit() {
+  if (outer_) database_.run("COMMIT");
+}
 
 std::string quoted(const std::string& name) {
   std::string text = "\"";

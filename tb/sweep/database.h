@@ -105,7 +105,8 @@ class Statement {
   sqlite3_stmt* handle_ = nullptr;
 };
 
-/// All of it or nothing: what was not committed is undone in the end.
+/// All of it or nothing: what was not committed is undone in the end. Inside of another one it is a
+/// part of that.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -117,6 +118,7 @@ class Transaction {
 
  private:
   Database& database_;
+  const bool outer_;
 };
 
 /// A name as SQL writes it.

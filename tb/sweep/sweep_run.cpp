@@ -38,6 +38,7 @@ class Sweep {
         plan_(plan),
         folder_(folder),
         store_(folder.store(), Access::Write),
+        opening_(store_.database()),
         former_(store_),
         model_(open_model(store_, plan, folder.path(), options.fresh)),
         reused_(reuse_results(store_, model_, plan, options.reuse)),
@@ -45,7 +46,9 @@ class Sweep {
         measurer_(plan, folder, store_, model_, server, options.jobs,
                   [this] { progress_.look(measurer_, rung_); }),
         state_(plan, store_, measurer_),
-        silicon_(plan, &store_, options.fresh) {}
+        silicon_(plan, &store_, options.fresh) {
+    opening_.commit();
+  }
 
   int run() {
     const std::string key = plan_.key() + model_hash("beam");
@@ -167,6 +170,7 @@ class Sweep {
   const SweepPlan& plan_;
   SweepFolder& folder_;
   Store store_;
+  Transaction opening_;  // a store that proves to be damaged stays as it was
   const FormerPoints former_;
   const std::int64_t model_, reused_;
   int rung_ = 0;
