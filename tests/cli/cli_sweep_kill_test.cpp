@@ -10,13 +10,6 @@
 namespace racebeam {
 namespace {
 
-/// Children of a process.
-std::vector<int> children_of(int process) {
-  const std::string name = std::to_string(process);
-  std::istringstream all(read_file("/proc/" + name + "/task/" + name + "/children"));
-  return {std::istream_iterator<int>(all), {}};
-}
-
 enum class Victim { Program, Server, Worker, Any };
 
 class CliSweepKillTest : public CliSweepTest, public testing::WithParamInterface<Victim> {
@@ -27,8 +20,7 @@ class CliSweepKillTest : public CliSweepTest, public testing::WithParamInterface
     std::vector<int> all;
     if (GetParam() == Victim::Server || GetParam() == Victim::Any) all = servers;
     if (GetParam() == Victim::Worker || GetParam() == Victim::Any)
-      for (const int server : servers)
-        for (const int worker : children_of(server)) all.push_back(worker);
+      for (const int worker : workers_of(run)) all.push_back(worker);
     if (GetParam() == Victim::Program || GetParam() == Victim::Any) all.push_back(run.id());
     return all.empty() ? 0 : all[random() % all.size()];
   }

@@ -86,6 +86,13 @@ TEST_F(CliSweepLong, RacingLosesNoPointOfTheFrontOfTheFullMeasurement) {
   }
 }
 
+// As long as a worker may say nothing, twice.
+TEST_F(CliSweepLong, AWorkerThatHangsFailsItsPointAlone) {
+  EXPECT_THAT(run_with_signals(SIGSTOP),
+              testing::AllOf(HasSubstr("3 measured, 1 failed"),
+                             testing::ContainsRegex("frame [0-9]+: a worker said nothing for")));
+}
+
 // As long as a synthesis may take.
 TEST_F(CliSweepLong, AYosysThatHangsIsEndedAndItsPointsSaySo) {
   write(

@@ -128,6 +128,8 @@ TEST_F(CliSweepStore, CheckTellsWhatCanBeReadBesideADamagedTable) {
                     HasSubstr("point: 2 rows can be read")));
   write(std::string(TinySweep) + "[[point]]\nname = \"more\"\nknobs = { dr_bits = 9 }\n");
   EXPECT_THAT(expect(run_words("out"), 2), HasSubstr("out/sweep.sqlite is damaged: "));
+  const std::string left = read_file(store("out"));
+  EXPECT_EQ(left.substr(100), bytes.substr(100)) << "behind the head, which says who has opened it";
 }
 
 TEST_F(CliSweepStore, CsvAndJsonReadBackAsTheStoreHasThem) {

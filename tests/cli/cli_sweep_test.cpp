@@ -124,6 +124,18 @@ TEST_F(CliSweepTest, WhoeverIsKilledTheFinishedStoreIsTheSame) {
   EXPECT_TRUE(own.become(0)) << own.count() << " processes are left";
 }
 
+TEST_F(CliSweepTest, AWorkerThatCrashesAtTheSameFrameFailsItsPointAloneWithTheReason) {
+  const std::string said = run_with_signals(SIGABRT);
+  EXPECT_THAT(said, AllOf(HasSubstr("3 measured, 1 failed"), HasSubstr("a worker died: Aborted")));
+  const auto failed = fs::directory_iterator(folder / "out/failed");
+  EXPECT_THAT(read_file(failed->path()), HasSubstr("a worker died: Aborted"));
+  EXPECT_THAT(expect({"sweep", "status", "out"}, 0), HasSubstr("a worker died: Aborted"));
+  EXPECT_THAT(expect(run_words("out"), 1), HasSubstr("1 failed")) << "it is not tried again ...";
+  EXPECT_THAT(expect(run_words("out", {"--fresh"}), 0), HasSubstr("0 failed")) << "... until asked";
+  expect_run("whole");
+  EXPECT_EQ(frames_of("out"), frames_of("whole"));
+}
+
 TEST_F(CliSweepTest, OfTwoStartsAtOnceOneRunsAndTheOtherSaysSo) {
   write(SmallSweep);
   Program first(folder.path(), run_words("out"));

@@ -48,6 +48,17 @@ inline std::vector<std::string> query(const std::string& store, const std::strin
   return cells;
 }
 
+/// The processes that measure for a run: children of its children.
+inline std::vector<int> workers_of(const Program& run) {
+  std::vector<int> all;
+  for (const int server : run.children_ids()) {
+    const std::string name = std::to_string(server);
+    std::istringstream workers(read_file("/proc/" + name + "/task/" + name + "/children"));
+    all.insert(all.end(), std::istream_iterator<int>(workers), {});
+  }
+  return all;
+}
+
 class CliSweepTest : public testing::Test {
  protected:
   using Words = std::vector<std::string>;
@@ -68,6 +79,31 @@ class CliSweepTest : public testing::Test {
   std::string expect(const Words& words, int code, const Program::Setting& setting = {}) const {
     Program run(folder.path(), words, setting);
     EXPECT_EQ(run.wait(), code) << words[1] << ": " << run.err();
+    return run.err() + run.out();
+  }
+  /// Runs the small sweep, and does this to each worker of its first point beside the base, until
+  /// that has failed. What is said.
+  std::string run_with_signals(int number) const {
+    write(SmallSweep);
+    Program run(folder.path(), {"sweep", "run", "s.toml", "-o", "out", "--jobs", "1"});
+    const auto count = [this](const std::string& table) {
+      const bool is_there =
+          std::filesystem::exists(store("out")) &&
+          !query(store("out"), "SELECT 1 FROM sqlite_schema WHERE name = '" + table + "'").empty();
+      return is_there ? std::stoi(query(store("out"), "SELECT count(*) FROM " + table)[0]) : 0;
+    };
+    while (run.runs() && count("frame") < 16) usleep(1000);
+    while (run.runs() && count("failure") == 0) {
+      const std::vector<int> workers = workers_of(run);
+      if (!workers.empty() && count("failure") == 0) kill(workers.front(), number);
+      usleep(1000);
+    }
+    EXPECT_EQ(run.wait(), 1) << run.err();
+    EXPECT_EQ(query(store("out"), "SELECT count(*) FROM failure")[0], "1");
+    EXPECT_EQ(
+        query(store("out"), "SELECT point FROM frame GROUP BY point HAVING count(*) = 16").size(),
+        3u)
+        << "all others are complete";
     return run.err() + run.out();
   }
   std::string store(const std::string& out) const { return folder / (out + "/sweep.sqlite"); }
