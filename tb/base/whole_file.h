@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 namespace racebeam {
@@ -13,7 +13,11 @@ namespace racebeam {
 /// All bytes; none of a file that cannot be read.
 inline std::string whole_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::string text;
+  char some[65536];
+  while (in.read(some, sizeof some), in.gcount() > 0)
+    text.append(some, static_cast<std::size_t>(in.gcount()));
+  return text;
 }
 
 }  // namespace racebeam

@@ -4,10 +4,15 @@
 // with one limit less, at the tlm level. A pixel that differs is put down to the last link that
 // changes it, so the numbers add up to the difference.
 //
+// The further down a chain, the less of a point is left: chains of points come together. What a
+// link brings is kept as the pixels that it changes for the last time, and found again by what they
+// depend on, so no link is rendered for two points.
+//
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tb/judge/error_links.h"
@@ -19,10 +24,40 @@ namespace racebeam {
 /// chip is no ideal: for it they are those of geometry.
 const std::vector<ErrorCause>& error_causes(PictureReference reference);
 
-/// Pixels of a frame that differ from a reference picture, by error_causes(). `picture` is that of
-/// `reference`, which ReferencePicture makes; not used for the base. Needs no SystemC: any process
+/// The way of a point from its own picture to the one that is meant. Needs no SystemC: any process
 /// may ask, for any points.
-std::vector<int> errors_by_cause(const Show& show, int frame, const knobs& k,
-                                 PictureReference reference, const GoldenPicture& picture);
+class ErrorChain {
+ public:
+  /// `show` must outlive it.
+  ErrorChain(const Show& show, const knobs& k, PictureReference reference);
+
+  /// What the chain ends in: `reference`, or geometry's picture instead of the base's.
+  const ReferencePicture& end() const { return end_; }
+
+  /// What each picture between the point's own and the end depends on, beside scene and frame.
+  const std::vector<std::string>& keys() const { return keys_; }
+  /// By key: the pixels for which the picture is the last one that differs from the end, a bit
+  /// each; "": not known.
+  using Links = std::vector<std::string>;
+
+  /// Pixels of a frame that differ between the point's own picture and that of end(), by
+  /// error_causes(). Links that are not known are rendered and put there.
+  std::vector<int> by_cause(int frame, const GoldenPicture& own, const GoldenPicture& end,
+                            Links& links) const;
+
+ private:
+  /// A picture, and the cause that is lifted behind it.
+  struct Step {
+    knobs k;
+    bool residue;  ///< of the interlace is in it
+    std::size_t cause;
+  };
+
+  const Show& show_;
+  const PictureReference reference_;
+  const ReferencePicture end_;
+  std::vector<Step> steps_;  // the first: the point's own
+  std::vector<std::string> keys_;
+};
 
 }  // namespace racebeam

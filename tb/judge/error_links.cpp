@@ -19,6 +19,8 @@ const Links Limits = {
      [](knobs& k, const knobs&) {
        k.clocks_per_pixel = most(&knobs::clocks_per_pixel);
        k.fifo_entries = most(&knobs::fifo_entries);
+       k.fifo_short_length_bits = most(&knobs::fifo_short_length_bits);
+       k.fifo_merge = 1;
        k.speed = k.head_start = 0;
      }},
     {{"stack", "the interval stack overflows"},
@@ -26,7 +28,10 @@ const Links Limits = {
     {{"multiplier_cut", "the small partial products are dropped"},
      [](knobs& k, const knobs&) { k.partial_products_cut = 0; }},
     {{"corner_shift", "large corners lose low bits"},
-     [](knobs& k, const knobs&) { k.corner_factor_bits = most(&knobs::corner_factor_bits); }},
+     [](knobs& k, const knobs&) {
+       k.corner_factor_bits = most(&knobs::corner_factor_bits);
+       k.corner_rounding = 0;
+     }},
 };
 
 const ErrorLink Residue = {
@@ -43,6 +48,7 @@ const ErrorLink RoomDepth = {
 void to_standard_rays(knobs& k, const knobs& standard) {
   k.dr_bits = standard.dr_bits;
   k.stepping = standard.stepping;
+  k.stepping_fraction_bits = standard.stepping_fraction_bits;
   k.ddr_fraction_bits = standard.ddr_fraction_bits;
 }
 

@@ -14,10 +14,12 @@ namespace {
 
 knobs reference_knobs(const Show& show, PictureReference reference, const knobs& point,
                       const knobs& base) {
-  if (reference == PictureReference::Base) return base;
-  knobs k = show.standard_knobs();
-  k.max_room_depth = most(&knobs::max_room_depth);
-  k.face_stack_depth = most(&knobs::face_stack_depth);
+  knobs k = base;
+  if (reference != PictureReference::Base) {
+    k = show.standard_knobs();
+    k.max_room_depth = most(&knobs::max_room_depth);
+    k.face_stack_depth = most(&knobs::face_stack_depth);
+  }
   k.interlace = point.interlace;
   k.dithering = point.dithering;
   k.camera_cosine = point.camera_cosine;

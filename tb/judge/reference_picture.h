@@ -1,10 +1,10 @@
 // Reference pictures: what a frame should look like, whatever the knobs of the chip that is judged.
 //
 // By a golden tracer they have reference knobs: limits at their widest (rooms to the greatest
-// depth, corners of any size), the look of the point that is judged, interlace, dithering and
-// camera_cosine, which changes what is meant and not how well it is drawn, and everything else as
-// on the taped-out chip. So few pictures serve all points of a sweep. By the base point they are
-// its own chip's.
+// depth, corners of any size) and everything else as on the taped-out chip; by the base point they
+// are its chip's. Either has the look of the point that is judged, interlace, dithering and
+// camera_cosine, which changes what is meant and not how well it is drawn. So few pictures serve
+// all points of a sweep.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -35,7 +35,7 @@ bool is_near(const std::uint8_t* of, const std::uint8_t* in, int x, int y) {
   const Three colour = of[y * Columns + x] * EachOne;
   const auto here = [&](int row) { return equal(three(in, x, row), colour); };
   const auto right = [&](int row) { return equal(three(in, x, row), three(of, x, row)); };
-  if (here(y) | here(std::max(y - 1, 0)) | here(std::min(y + 1, Rows - 1))) return true;
+  if (here(y) || here(std::max(y - 1, 0)) || here(std::min(y + 1, Rows - 1))) return true;
   return (y > 1 && here(y - 2) & right(y - 1)) || (y + 2 < Rows && here(y + 2) & right(y + 1));
 }
 

@@ -11,6 +11,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
 #include "tb/program/common_options.h"
+#include "tb/sweep/figures.h"
 #include "tb/sweep/starter_sweep.h"
 #include "tb/sweep/sweep_run.h"
 #include "tb/sweep/sweep_status.h"
@@ -35,6 +36,11 @@ int sweep_new(const Options& options) {
     throw UsageError(file + " exists; choose another name");
   write_text(file, starter_sweep());
   tell("wrote " + file + "; try `racebeam sweep run " + file + " -o out --dry-run`");
+  return ExitGood;
+}
+
+int sweep_figures(const Options&) {
+  print(figures_text());
   return ExitGood;
 }
 
@@ -128,6 +134,7 @@ Command sweep_row() {
               return command.add_subcommand(name, help, [chosen, run] { *chosen = run; });
             };
             add_file(add("new", "Write a sweep to start from", sweep_new), *options, "FILE");
+            add("figures", "List what is measured of a point, for goals", sweep_figures);
             add_run_options(add("run", "Start, or go on: the same command", sweep_run), *options);
             const CommandOptions status =
                 add("status", "How far it is, who works on it, what failed", sweep_status);

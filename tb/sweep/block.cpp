@@ -27,21 +27,34 @@ knobs knobs_of(const Json& json) {
   return k;
 }
 
-Json pictures_json(const std::map<int, std::string>& pictures) {
-  Json json = Json::object();
-  for (const auto& [frame, picture] : pictures)
-    json[std::to_string(frame)] =
-        Json::binary(std::vector<std::uint8_t>(picture.begin(), picture.end()));
+Json binary(const std::string& bytes) {
+  return Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+}
+
+std::string bytes_of(const Json& json) {
+  const auto& bytes = json.get_binary();
+  return {bytes.begin(), bytes.end()};
+}
+
+Json kept_json(const std::map<int, KeptPictures>& kept) {
+  Json json = Json::array();
+  for (const auto& [frame, pictures] : kept) {
+    Json links = Json::array();
+    for (const std::string& link : pictures.links) links.push_back(binary(link));
+    json.push_back({frame, binary(pictures.reference), binary(pictures.end), links});
+  }
   return json;
 }
 
-std::map<int, std::string> pictures_of(const Json& json) {
-  std::map<int, std::string> pictures;
-  for (const auto& [frame, bytes] : json.items()) {
-    const auto& binary = bytes.get_binary();
-    pictures[std::stoi(frame)] = std::string(binary.begin(), binary.end());
+std::map<int, KeptPictures> kept_of(const Json& json) {
+  std::map<int, KeptPictures> kept;
+  for (const Json& one : json) {
+    KeptPictures& pictures = kept[one.at(0).get<int>()];
+    pictures.reference = bytes_of(one.at(1));
+    pictures.end = bytes_of(one.at(2));
+    for (const Json& link : one.at(3)) pictures.links.push_back(bytes_of(link));
   }
-  return pictures;
+  return kept;
 }
 
 }  // namespace
@@ -54,14 +67,14 @@ std::string request_text(const Block& block) {
       {"scene_name", block.scene_name},
       {"scene_hash", block.scene_hash},
       {"knobs", knobs_json(block.k)},
+      {"base", knobs_json(block.base)},
       {"frames", block.frames},
       {"guard", block.guard},
       {"causes", block.causes},
       {"pictures", block.pictures},
       {"scan", block.scan},
       {"reference", static_cast<int>(block.reference)},
-      {"references", pictures_json(block.references)},
-      {"is_base", block.is_base},
+      {"kept", kept_json(block.kept)},
   });
   return {bytes.begin(), bytes.end()};
 }
@@ -75,14 +88,14 @@ Block block_of(const std::string& request) {
   block.scene_name = json.at("scene_name");
   block.scene_hash = json.at("scene_hash");
   block.k = knobs_of(json.at("knobs"));
+  block.base = knobs_of(json.at("base"));
   block.frames = json.at("frames").get<std::vector<int>>();
   block.guard = json.at("guard");
   block.causes = json.at("causes");
   block.pictures = json.at("pictures");
   block.scan = json.at("scan");
   block.reference = static_cast<SweepReference>(json.at("reference").get<int>());
-  block.references = pictures_of(json.at("references"));
-  block.is_base = json.at("is_base");
+  block.kept = kept_of(json.at("kept"));
   return block;
 }
 
@@ -95,7 +108,9 @@ std::string answer_line(const Answer& answer) {
                {"values", frame.row.values}};
   if (!frame.histograms.empty()) json["histograms"] = frame.histograms;
   if (!frame.causes.empty()) json["causes"] = frame.causes;
-  if (!answer.reference.empty()) json["reference"] = hex_of(answer.reference);
+  if (!answer.made.reference.empty()) json["reference"] = hex_of(answer.made.reference);
+  if (!answer.made.end.empty()) json["end"] = hex_of(answer.made.end);
+  for (const std::string& link : answer.made.links) json["links"].push_back(hex_of(link));
   if (!answer.picture.empty()) json["picture"] = hex_of(answer.picture);
   return json.dump() + "\n";
 }
@@ -127,8 +142,15 @@ AnswerLine read_answer(const std::string& line, int block) try {
   };
   of_key("histograms", answer.frame.histograms);
   of_key("causes", answer.frame.causes);
-  if (json.contains("reference")) answer.reference = of_hex(json["reference"].get<std::string>());
-  if (json.contains("picture")) answer.picture = of_hex(json["picture"].get<std::string>());
+  const auto bytes_of_key = [&](const char* key, std::string& member) {
+    if (json.contains(key)) member = of_hex(json[key].get<std::string>());
+  };
+  bytes_of_key("reference", answer.made.reference);
+  bytes_of_key("end", answer.made.end);
+  bytes_of_key("picture", answer.picture);
+  if (json.contains("links"))
+    for (const Json& link : json["links"])
+      answer.made.links.push_back(of_hex(link.get<std::string>()));
   return read;
 } catch (const std::exception&) {
   return {};  // garbage

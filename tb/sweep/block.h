@@ -14,6 +14,13 @@
 
 namespace racebeam {
 
+/// Pictures of a frame that a store keeps, packed; "": it has none.
+struct KeptPictures {
+  std::string reference{};           ///< what the frame is compared with
+  std::string end{};                 ///< what its causes lead to, if that is another one
+  std::vector<std::string> links{};  ///< as ErrorChain has them
+};
+
 /// A point, a scene, and frames of one rung.
 struct Block {
   int number = 0;
@@ -21,16 +28,15 @@ struct Block {
   std::string scene_name;    ///< as on the command line
   std::string scene_hash;    ///< what the scene must be
   knobs k;
+  knobs base;  ///< those of the base point
   std::vector<int> frames;
   bool guard = false;
   bool causes = false;    ///< errors by cause are asked for
   bool pictures = false;  ///< the pictures themselves are asked for, and nothing else
   bool scan = false;      ///< only ScannedFrame: busy clocks of the longest line, starved pixels
   SweepReference reference = SweepReference::Geometry;
-  /// Packed, by frame; a worker makes those that are not here, but none of a base.
-  std::map<int, std::string> references{};
-  bool is_base = false;  ///< its own pictures are the reference
-  int tries = 0;         ///< of its first frame
+  std::map<int, KeptPictures> kept{};  ///< by frame; a worker makes those that are not here
+  int tries = 0;                       ///< of its first frame
 };
 
 std::string request_text(const Block& block);
@@ -41,8 +47,8 @@ Block block_of(const std::string& request);
 struct Answer {
   int block = 0;
   MeasuredFrame frame;
-  std::string reference;  ///< packed, if the worker had to make it; else ""
-  std::string picture;    ///< packed, if it was asked for; else ""
+  KeptPictures made;    ///< those that the worker had to make
+  std::string picture;  ///< packed, if it was asked for; else ""
 };
 
 /// One line, as JSON.

@@ -74,7 +74,7 @@ bool BlockRunner::run(std::list<Block> blocks) {
 void BlockRunner::start(Block block) {
   owner_.prepare(block);
   const ForkServer::Worker worker = server_.start(request_text(block));
-  block.references.clear();
+  block.kept.clear();
   running_.push_back({std::move(block), worker});
 }
 

@@ -18,12 +18,14 @@ struct FrameErrors {
   std::int64_t visible_error_pixels = 0;  ///< of those: not explained by an edge moved by a pixel
 };
 
-/// The engine's counters by name; of each number of its lines NAME.sum, NAME.p99, NAME.max and
-/// NAME.never (lines that it never came in); then FrameErrors, and the picture's digest.
+/// The engine's counters by name; of each of its histograms NAME.sum, of all values, and some
+/// percentiles, NAME.p50; of each number of its lines NAME.sum, NAME.p99, NAME.max and NAME.never
+/// (lines that it never came in); then FrameErrors, and the picture's digest.
 std::vector<std::string> sweep_columns(const engine& built);
 
 /// Their values in a frame with this picture, 640 x 480 colours.
-std::vector<std::int64_t> column_values(const frame_counts& counts, const FrameErrors& errors,
+std::vector<std::int64_t> column_values(const engine& built, const frame_counts& counts,
+                                        const FrameErrors& errors,
                                         const std::vector<std::uint8_t>& colours);
 
 }  // namespace racebeam

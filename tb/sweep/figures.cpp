@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "sc/base/constants.h"
+#include "sc/beam/engine.h"
 #include "tb/base/errors.h"
+#include "tb/judge/error_causes.h"
 
 namespace racebeam {
 
@@ -21,132 +23,286 @@ constexpr double HeadStart =
 /// Clocks of a line on the chip, for lines in which a clock never came.
 constexpr double LineClocks = 2.0 * LinePixels;
 
-double divisor(Figure::Kind kind) {
+double divisor(PointFigure::Kind kind) {
   switch (kind) {
-    case Figure::PerLine: return VisibleRows;
-    case Figure::Percent: return Pixels / 100;
+    case PointFigure::PerLine: return VisibleRows;
+    case PointFigure::Percent: return Pixels / 100;
     default: return 1;
   }
 }
 
-}  // namespace
-
-const std::vector<Figure>& figure_table() {
-  static const std::vector<Figure> table = {
+/// Of the picture.
+std::vector<PointFigure> picture_figures() {
+  return {
       {"picture_error",
        "%",
        "pixels that differ from the reference picture, of all visible ones",
-       Figure::Percent,
+       PointFigure::Percent,
        {{"error_pixels", 1}}},
       {"error.visible",
        "%",
        "pixels that an edge moved by one pixel does not explain",
-       Figure::Percent,
+       PointFigure::Percent,
        {{"visible_error_pixels", 1}}},
+  };
+}
+
+/// The causes on the ways to all references, each once.
+std::vector<PointFigure> cause_figures() {
+  std::vector<PointFigure> figures;
+  for (const auto reference : {PictureReference::Geometry, PictureReference::Trace4})
+    for (const ErrorCause& cause : error_causes(reference)) {
+      const std::string name = std::string("error.") + cause.name;
+      if (std::none_of(figures.begin(), figures.end(),
+                       [&](const PointFigure& one) { return one.name == name; }))
+        figures.push_back(
+            {name, "%", cause.meaning, PointFigure::Percent, {{cause.name, 1}}, {}, true});
+    }
+  return figures;
+}
+
+/// Of the race with the beam.
+std::vector<PointFigure> beam_figures() {
+  return {
       {"starved",
        "%",
        "visible pixels without a colour of their own, none hidden by a pattern",
-       Figure::Percent,
+       PointFigure::Percent,
        {{"seen_starved_pixels", 1}}},
+      {"starved.frames",
+       "% of frames",
+       "frames in which any pixel is so",
+       PointFigure::Frames,
+       {{"seen_starved_pixels", 1}}},
+      {"starved.max",
+       "%",
+       "of the pixels of the worst frame",
+       PointFigure::Largest,
+       {{"seen_starved_pixels", 100 / Pixels}}},
+      {"slack.p1",
+       "clocks",
+       "from known to shown, that 99 of 100 pixels of a frame have; 0: known too late",
+       PointFigure::Mean,
+       {{"slack.p1", 1}}},
+      {"slack.p50",
+       "clocks",
+       "the same of the middle one of all pixels",
+       PointFigure::Mean,
+       {{"slack.p50", 1}}},
+  };
+}
+
+/// Of the tracer's work.
+std::vector<PointFigure> work_figures() {
+  return {
       {"decisions",
        "a line",
        "decisions on which side of a corner a ray passes",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"decisions", 1}}},
       {"bisections",
        "a line",
        "steps of the search for an edge",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"bisection_steps", 1}}},
       {"restarts",
        "a line",
        "restarts after the interval stack lost entries",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"restarts", 1}}},
       {"give_ups",
        "a line",
        "hits accepted in a hurry, without a wall",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"give_ups", 1}}},
+      {"sign_splits",
+       "a line",
+       "decisions at the right end whose rays differ in a sign from those at the left",
+       PointFigure::PerLine,
+       {{"sign_splits", 1}}},
+      {"walk.mean",
+       "steps",
+       "of dr2 along the line before a decision",
+       PointFigure::Mean,
+       {{"walk_steps.sum", 1}},
+       {{"left_decisions", 1}}},
+      {"rooms",
+       "a line",
+       "rooms entered through portals",
+       PointFigure::PerLine,
+       {{"rooms_entered", 1}}},
       {"returns",
        "a line",
        "returns to an interval on the stack",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"returns", 1}}},
-      {"emits", "a line", "intervals given to the FIFO", Figure::PerLine, {{"emits", 1}}},
+      {"emits", "a line", "intervals given to the FIFO", PointFigure::PerLine, {{"emits", 1}}},
+      {"merges",
+       "a line",
+       "intervals that the FIFO's newest entry takes in",
+       PointFigure::PerLine,
+       {{"merges", 1}}},
       {"busy",
        "clocks a line",
        "clocks of the tracer before a line is done",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"busy_clocks.sum", 1}}},
       {"busy.p99",
        "clocks",
        "busy clocks that 99 of 100 lines of a frame do not exceed",
-       Figure::Mean,
+       PointFigure::Mean,
        {{"busy_clocks.p99", 1}}},
       {"busy.max",
        "clocks",
        "busy clocks of the longest line",
-       Figure::Largest,
+       PointFigure::Largest,
        {{"busy_clocks.max", 1}}},
       {"lines_not_done",
        "lines a frame",
        "lines that the beam ended before the tracer",
-       Figure::Mean,
+       PointFigure::Mean,
        {{"done_clock.never", 1}}},
+      {"stack.mean",
+       "entries",
+       "on the interval stack, mean over the clocks of the tracer",
+       PointFigure::Mean,
+       {{"stack_depth.sum", 1}},
+       {{"busy_clocks.sum", 1}, {"fifo_full_stalls", 1}}},
+      {"stack.needed",
+       "entries",
+       "that an endless interval stack would hold at most",
+       PointFigure::Largest,
+       {{"stack_needed.max", 1}}},
+      {"fifo.p50",
+       "entries",
+       "in use of the FIFO, in the middle clock of a frame's lines sorted by it",
+       PointFigure::Mean,
+       {{"fifo_fill.p50", 1}}},
       {"fifo.full_stalls",
        "clocks a line",
        "clocks an interval waits for room in the FIFO",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"fifo_full_stalls", 1}}},
       {"first_emit",
        "clocks a line",
        "head start left at the first interval; lines without one count as a line late",
-       Figure::PerLine,
+       PointFigure::PerLine,
        {{"clocks", VisibleRows * HeadStart},
         {"first_emit_clock.sum", -1},
         {"first_emit_clock.never", -LineClocks}}},
-      {"flip_flops", "bits", "flip-flops of the chip without sound", Figure::Exact, {}},
-      {"cells", "cells", "generic cells of the chip without sound", Figure::Exact, {}},
   };
+}
+
+/// What the clocks of a line are spent on: together they are all of them.
+std::vector<PointFigure> line_figures() {
+  std::vector<PointFigure> figures;
+  for (const line_info& line : beam_engine().lines)
+    if (const std::string part = line.part; !part.empty())
+      figures.push_back({"line." + part,
+                         "clocks a line",
+                         "what '" + part + "' takes of a line's clocks",
+                         PointFigure::PerLine,
+                         {{std::string(line.name) + ".sum", 1}}});
+  return figures;
+}
+
+std::vector<PointFigure> silicon_figures() {
+  return {
+      {"flip_flops", "bits", "flip-flops of the chip without sound", PointFigure::Exact, {}},
+      {"cells", "cells", "generic cells of the chip without sound", PointFigure::Exact, {}},
+  };
+}
+
+}  // namespace
+
+const std::vector<PointFigure>& figure_table() {
+  static const std::vector<PointFigure> table = [] {
+    std::vector<PointFigure> all;
+    for (auto* const figures : {picture_figures, cause_figures, beam_figures, work_figures,
+                                line_figures, silicon_figures})
+      for (PointFigure& figure : figures()) all.push_back(std::move(figure));
+    return all;
+  }();
   return table;
 }
 
-const Figure* figure_named(const std::string& name) {
-  for (const Figure& figure : figure_table())
+const PointFigure* figure_named(const std::string& name) {
+  for (const PointFigure& figure : figure_table())
     if (figure.name == name) return &figure;
   return nullptr;
 }
 
-const char* Figure::missing(const std::vector<std::string>& columns) const {
-  for (const Term& term : terms)
-    if (std::find(columns.begin(), columns.end(), term.column) == columns.end()) return term.column;
+std::string figure_row(const PointFigure& figure) {
+  return fmt::format("| `{}` | {} | {} |", figure.name, figure.unit, figure.meaning);
+}
+
+std::string figures_text(const std::string& before) {
+  std::size_t names = 0, units = 0;
+  for (const PointFigure& figure : figure_table()) {
+    names = std::max(names, figure.name.size());
+    units = std::max(units, std::string_view(figure.unit).size());
+  }
+  std::string text;
+  for (const PointFigure& figure : figure_table())
+    text += fmt::format("{}{:<{}}  {:<{}}  {}\n", before, figure.name, names, figure.unit, units,
+                        figure.meaning);
+  return text;
+}
+
+std::vector<std::string> PointFigure::columns() const {
+  std::vector<std::string> names;
+  for (const auto* list : {&terms, &per})
+    for (const Term& term : *list) names.emplace_back(term.column);
+  return names;
+}
+
+const char* PointFigure::missing(const std::vector<std::string>& columns) const {
+  for (const auto* list : {&terms, &per})
+    for (const Term& term : *list)
+      if (std::find(columns.begin(), columns.end(), term.column) == columns.end())
+        return term.column.c_str();
   return nullptr;
 }
 
-FigureReader::FigureReader(const Figure& figure, const std::vector<std::string>& columns)
+FigureReader::FigureReader(const PointFigure& figure, const std::vector<std::string>& columns)
     : figure_(figure) {
-  if (figure.kind == Figure::Exact)
+  if (figure.kind == PointFigure::Exact)
     throw UsageError(fmt::format("{} is not a figure of frames", figure.name));
   if (const char* column = figure.missing(columns))
     throw UsageError(
         fmt::format("{} needs the column {}, which this sweep does not have", figure.name, column));
-  for (const Figure::Term& term : figure.terms) {
+  parts_ = parts(figure.terms, columns, figure.per.empty() ? divisor(figure.kind) : 1);
+  per_ = parts(figure.per, columns, 1);
+}
+
+std::vector<FigureReader::Part> FigureReader::parts(const std::vector<PointFigure::Term>& terms,
+                                                    const std::vector<std::string>& columns,
+                                                    double divisor) {
+  std::vector<Part> parts;
+  for (const PointFigure::Term& term : terms) {
     const auto at = std::find(columns.begin(), columns.end(), term.column) - columns.begin();
-    parts_.push_back({std::size_t(at), term.factor / divisor(figure.kind)});
+    parts.push_back({std::size_t(at), term.factor / divisor});
   }
+  return parts;
 }
 
 double FigureReader::value(const FrameRow& row) const {
-  double value = 0;
-  for (const Part& part : parts_) value += part.factor * double(row.values.at(part.column));
-  return value;
+  const auto sum = [&row](const std::vector<Part>& parts) {
+    double sum = 0;
+    for (const Part& part : parts) sum += part.factor * double(row.values.at(part.column));
+    return sum;
+  };
+  const double value = sum(parts_);
+  if (figure_.kind == PointFigure::Frames) return value != 0 ? 100 : 0;
+  if (per_.empty()) return value;
+  const double divisor = sum(per_);
+  return divisor == 0 ? 0 : value / divisor;  // nothing happened
 }
 
 Stratum FigureReader::stratum(const std::vector<FrameRow>& rows, int population) const {
   std::vector<const FrameRow*> taken;
   for (const FrameRow& row : rows)
-    if (!row.guard || figure_.kind == Figure::Largest) taken.push_back(&row);
+    if (!row.guard || figure_.kind == PointFigure::Largest) taken.push_back(&row);
   std::sort(taken.begin(), taken.end(),
             [](const FrameRow* a, const FrameRow* b) { return a->frame < b->frame; });
   Stratum stratum;

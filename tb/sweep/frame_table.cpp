@@ -234,6 +234,31 @@ std::map<int, std::map<std::string, std::int64_t>> FrameTable::causes(const Fram
   return all;
 }
 
+std::vector<FrameRow> FrameTable::read_causes(const FrameKey& key,
+                                              const std::vector<std::string>& names) const {
+  std::vector<FrameRow> rows;
+  for (const auto& [frame, pixels] : causes(key)) {
+    FrameRow row{frame, false, 0, {}};
+    for (const std::string& name : names) {
+      const auto at = pixels.find(name);
+      row.values.push_back(at == pixels.end() ? 0 : at->second);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::unordered_map<std::int64_t, std::vector<int>> FrameTable::with_causes(
+    std::int64_t model, std::int64_t scene) const {
+  Statement select(database_,
+                   "SELECT DISTINCT point, frame FROM cause "
+                   "WHERE model = ? AND scene = ? ORDER BY point, frame");
+  std::unordered_map<std::int64_t, std::vector<int>> frames;
+  for (select.with(model, scene); select.next();)
+    frames[select.integer(0)].push_back(static_cast<int>(select.integer(1)));
+  return frames;
+}
+
 std::int64_t FrameTable::count(std::int64_t model) const {
   Statement select(database_, "SELECT count(*) FROM frame WHERE model = ?");
   select.with(model).next();

@@ -67,6 +67,12 @@ class FrameTable {
   std::map<std::string, Histogram> histograms(const FrameKey& key) const;
   /// Pixels by cause, by frame: of those that have them.
   std::map<int, std::map<std::string, std::int64_t>> causes(const FrameKey& key) const;
+  /// The same as rows, with these causes as columns; one that a frame does not have is 0.
+  std::vector<FrameRow> read_causes(const FrameKey& key,
+                                    const std::vector<std::string>& causes) const;
+  /// Which frames have causes, in order, by point.
+  std::unordered_map<std::int64_t, std::vector<int>> with_causes(std::int64_t model,
+                                                                 std::int64_t scene) const;
   /// All frames of a model.
   std::int64_t count(std::int64_t model) const;
   /// Frames that have differed from themselves.

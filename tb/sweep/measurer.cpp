@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "tb/judge/reference_picture.h"
+#include "tb/judge/error_causes.h"
 #include "tb/sweep/model_hash.h"
 #include "tb/sweep/row_digest.h"
 #include "tb/sweep/store_errors.h"
@@ -17,7 +17,7 @@ namespace {
 
 // A worker takes some 10 ms to begin and a frame some 6 ms: blocks are long enough for the first
 // not to matter, and short enough for all workers to end at about the same time.
-constexpr std::size_t SmallestBlock = 32, LargestBlock = 128, BlocksOfAJob = 4;
+constexpr std::size_t SmallestBlock = 32, LargestBlock = 256, BlocksOfAJob = 4;
 
 bool has(const std::vector<int>& sorted, int frame) {
   return std::binary_search(sorted.begin(), sorted.end(), frame);
@@ -49,12 +49,16 @@ Measurer::Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& stor
     const Show& show = plan.scenes[scene].show;
     scenes_.push_back(store.scene({plan.scenes[scene].name, show.hash(), show.frames()}));
     const auto there = store.frames.there(model, scenes_.back());
+    const auto causes = plan.file.measure.causes ? store.frames.with_causes(model, scenes_.back())
+                                                 : decltype(store.frames.with_causes(0, 0)){};
     for (std::size_t point = 0; point < plan.points.size(); ++point) {
       const std::size_t at = point * plan.scenes.size() + scene;
       const auto frames = there.find(points_[at]);
       if (frames == there.end()) continue;
       for (const KeptFrame& frame : frames->second)
         (frame.guard ? kept_[at].guard : kept_[at].sample).push_back(frame.frame);
+      if (const auto with = causes.find(points_[at]); with != causes.end())
+        kept_[at].causes = with->second;
     }
   }
 }
@@ -81,8 +85,10 @@ void Measurer::forget_failures() {
 std::vector<int> Measurer::lacks(const Want& want) const {
   const Kept& there = kept(want.point, want.scene);
   std::vector<int> frames;
+  const bool causes = plan_.file.measure.causes && !want.guard;
   for (const int frame : want.frames)
-    if (!has(there.sample, frame) && !(want.guard && has(there.guard, frame)))
+    if ((!has(there.sample, frame) && !(want.guard && has(there.guard, frame))) ||
+        (causes && !has(there.causes, frame)))
       frames.push_back(frame);
   std::sort(frames.begin(), frames.end());
   return frames;
@@ -103,11 +109,11 @@ Block Measurer::block_of(const Want& want) const {
   block.scene_hash = scene.show.hash();
   block.k =
       plan_.points[static_cast<std::size_t>(want.point)].k[static_cast<std::size_t>(want.scene)];
+  block.base = plan_.points[0].k[static_cast<std::size_t>(want.scene)];
   block.frames = want.frames;
   block.guard = want.guard;
   block.causes = plan_.file.measure.causes && !want.guard;
   block.reference = plan_.file.measure.reference;
-  block.is_base = want.point == 0;
   return block;
 }
 
@@ -177,19 +183,42 @@ std::map<int, std::string> Measurer::pictures(const Want& want) {
   return pictures;
 }
 
-std::string Measurer::reference_key(const Block& block, int frame) const {
-  const auto scene = static_cast<std::size_t>(block.scene);
-  const ReferencePicture reference(plan_.scenes[scene].show, block.reference, block.k,
-                                   plan_.points[0].k[scene]);
-  return text_hash(
-      fmt::format("{} {} {}\n{}", model_hash("beam"), block.scene_hash, frame, reference.key()));
+/// What tells the pictures of a block's frames from others.
+struct Measurer::PictureKeys {
+  std::string whose;  ///< model and scene
+  std::string reference, end;
+  std::vector<std::string> links;
+
+  std::string of(int frame, const std::string& text) const {
+    return text_hash(fmt::format("{} {} packed\n{}", whose, frame, text));
+  }
+};
+
+Measurer::PictureKeys Measurer::picture_keys(const Block& block) const {
+  const Show& show = plan_.scenes[static_cast<std::size_t>(block.scene)].show;
+  PictureKeys keys{fmt::format("{} {}", model_hash("beam"), block.scene_hash),
+                   ReferencePicture(show, block.reference, block.k, block.base).key(),
+                   "",
+                   {}};
+  if (!block.causes) return keys;
+  const ErrorChain chain(show, block.k, block.reference);
+  if (block.reference == SweepReference::Base) keys.end = chain.end().key();
+  for (const std::string& key : chain.keys()) keys.links.push_back("link " + text_hash(key));
+  return keys;
 }
 
 void Measurer::prepare(Block& block) {
   if (block.scan || block.pictures) return;
-  for (const int frame : block.frames)
-    if (auto picture = store_.references.find(reference_key(block, frame)))
-      block.references[frame] = std::move(*picture);
+  const PictureKeys keys = picture_keys(block);
+  for (const int frame : block.frames) {
+    const auto find = [&](const std::string& key) {
+      return key.empty() ? "" : store_.references.find(keys.of(frame, key)).value_or("");
+    };
+    KeptPictures& kept = block.kept[frame];
+    kept.reference = find(keys.reference);
+    kept.end = find(keys.end);
+    for (const std::string& link : keys.links) kept.links.push_back(find(link));
+  }
 }
 
 void Measurer::take(const Block& block, const std::vector<Answer>& answers) try {
@@ -206,18 +235,26 @@ void Measurer::take(const Block& block, const std::vector<Answer>& answers) try 
     store_.scans.put(of, frames);
     return;
   }
-  Transaction references(store_.database());
+  const PictureKeys keys = picture_keys(block);
+  Transaction pictures(store_.database());
   std::vector<MeasuredFrame> frames;
   for (const Answer& answer : answers) {
     frames.push_back(answer.frame);
-    if (!answer.reference.empty())
-      store_.references.put(reference_key(block, answer.frame.row.frame), answer.reference);
+    const auto keep = [&](const std::string& key, const std::string& picture) {
+      if (!picture.empty()) store_.references.put(keys.of(answer.frame.row.frame, key), picture);
+    };
+    keep(keys.reference, answer.made.reference);
+    keep(keys.end, answer.made.end);
+    for (std::size_t i = 0; i < answer.made.links.size(); ++i)
+      keep(keys.links.at(i), answer.made.links[i]);
   }
-  references.commit();
+  pictures.commit();
   store_.frames.put(of, frames);
   Kept& there = kept(block.point, block.scene);
-  for (const MeasuredFrame& frame : frames)
+  for (const MeasuredFrame& frame : frames) {
     insert(block.guard ? there.guard : there.sample, frame.row.frame);
+    if (!frame.causes.empty()) insert(there.causes, frame.row.frame);
+  }
   measured_ += static_cast<std::int64_t>(frames.size());
 } catch (const DiskFull& error) {
   throw error.keeping(fmt::format("{} frames are kept", store_.frames.count(model_)));

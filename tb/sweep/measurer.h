@@ -63,9 +63,10 @@ class Measurer : private BlockRunner::Owner {
   Block block_of(const Want& want) const;
   void add_blocks(std::list<Block>& blocks, const Want& want, std::size_t size);
   bool run(std::list<Block> blocks);
-  std::string reference_key(const Block& block, int frame) const;
+  struct PictureKeys;
+  PictureKeys picture_keys(const Block& block) const;
   struct Kept {
-    std::vector<int> sample, guard;  // frames, in order
+    std::vector<int> sample, guard, causes;  // frames, in order; those whose errors have causes
   };
   Kept& kept(int point, int scene) { return kept_[index(point, scene)]; }
   const Kept& kept(int point, int scene) const { return kept_[index(point, scene)]; }

@@ -4,11 +4,63 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <charconv>
 #include <new>
 #include <stdexcept>
 
 namespace racebeam {
+
+namespace {
+
+// A run: the colour, with the length above it if that fits into two bits; else the length follows,
+// seven bits a byte, the lowest first, the highest bit set in all bytes but the last.
+constexpr int ColourBits = 6, ShortRun = 4;
+constexpr std::uint8_t ColourMask = (1 << ColourBits) - 1;
+constexpr int LengthBits7 = 7;
+constexpr std::uint8_t More = 1 << LengthBits7;
+
+[[noreturn]] void damaged() { throw std::runtime_error("a packed picture is damaged"); }
+
+std::string runs_of(const std::vector<std::uint8_t>& colours) {
+  std::string runs;
+  for (auto at = colours.begin(); at != colours.end();) {
+    const auto end = std::find_if(at, colours.end(), [&](std::uint8_t one) { return one != *at; });
+    auto length = static_cast<std::size_t>(end - at);
+    if (length < ShortRun) {
+      runs += static_cast<char>(*at | length << ColourBits);
+    } else {
+      runs += static_cast<char>(*at);
+      for (; length >= More; length >>= LengthBits7) runs += static_cast<char>(length | More);
+      runs += static_cast<char>(length);
+    }
+    at = end;
+  }
+  return runs;
+}
+
+std::vector<std::uint8_t> colours_of(const std::string& runs, std::size_t size) {
+  std::vector<std::uint8_t> colours(size);
+  std::size_t done = 0;
+  for (std::size_t at = 0; at < runs.size();) {
+    const auto first = static_cast<std::uint8_t>(runs[at++]);
+    std::size_t length = first >> ColourBits;
+    for (int shift = 0; length == 0 || shift > 0;) {
+      if (at == runs.size() || shift > 4 * LengthBits7) damaged();
+      const auto byte = static_cast<std::uint8_t>(runs[at++]);
+      length |= static_cast<std::size_t>(byte & (More - 1)) << shift;
+      shift = byte & More ? shift + LengthBits7 : 0;
+      if (shift == 0 && length == 0) damaged();
+    }
+    if (length > size - done) damaged();
+    std::fill_n(colours.begin() + static_cast<std::ptrdiff_t>(done), length, first & ColourMask);
+    done += length;
+  }
+  if (done != size) damaged();
+  return colours;
+}
+
+}  // namespace
 
 std::string packed(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
@@ -26,8 +78,22 @@ std::string unpacked(std::string_view bytes, std::size_t size) {
   if (uncompress(reinterpret_cast<Bytef*>(result.data()), &got,
                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()) != Z_OK ||
       got != size)
-    throw std::runtime_error("a packed picture is damaged");
+    damaged();
   return result;
+}
+
+// The runs have their length before them.
+std::string packed_colours(const std::vector<std::uint8_t>& colours) {
+  const std::string runs = runs_of(colours);
+  return std::to_string(runs.size()) + ' ' + packed(runs);
+}
+
+std::vector<std::uint8_t> unpacked_colours(std::string_view bytes, std::size_t size) {
+  std::size_t length = 0;
+  const auto [end, error] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), length);
+  const auto head = static_cast<std::size_t>(end - bytes.data());
+  if (error != std::errc() || head == bytes.size() || length > 2 * size) damaged();
+  return colours_of(unpacked(bytes.substr(head + 1), length), size);
 }
 
 std::string hex_of(std::string_view bytes) {

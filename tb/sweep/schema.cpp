@@ -49,7 +49,7 @@ CREATE TABLE cause(model INTEGER REFERENCES model, scene INTEGER REFERENCES scen
   digest INTEGER NOT NULL, PRIMARY KEY(model, scene, point, frame, cause)) STRICT, WITHOUT ROWID;
 CREATE TABLE unit(hash TEXT PRIMARY KEY, unit TEXT, parameters TEXT, recipe TEXT,
   flip_flops INTEGER, cells INTEGER, area REAL, digest INTEGER NOT NULL) STRICT;
--- picture: zlib
+-- picture: packed colours; of a link of errors by cause, zlib of a bit a pixel
 CREATE TABLE reference(hash TEXT PRIMARY KEY, picture BLOB NOT NULL,
   digest INTEGER NOT NULL) STRICT;
 CREATE TABLE failure(model INTEGER REFERENCES model, scene INTEGER REFERENCES scene,

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/sweep/starter_sweep.h"
 
+#include "tb/sweep/figures.h"
+
 namespace racebeam {
 
-const char* starter_sweep() {
-  return R"(# A sweep for racebeam: is a stack of four entries enough?
+std::string starter_sweep() {
+  return std::string(R"(# A sweep for racebeam: is a stack of four entries enough?
 # Measure it: racebeam sweep run FILE -o DIR; the same command goes on after any stop.
 name = "stack against queue"
 scenes = ["demo"]            # or scene files; each is reported apart
@@ -38,11 +40,13 @@ flip_flops = "min"
 starved = { most = "1 %" }
 
 [measure]
-causes = false               # errors by cause: slow
+causes = false               # errors by cause: the figures error.give_up and so on
 silicon = "generic"          # flip-flops and cells, by yosys; "off" without
 pictures = [7223, "worst"]   # frames kept as pictures
 reference = "geometry"       # what pictures are compared with: geometry, trace4, base
-)";
+
+# Figures, for [goals] and for frames.until:
+)") + figures_text("#   ");
 }
 
 }  // namespace racebeam

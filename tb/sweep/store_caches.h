@@ -1,4 +1,5 @@
-// What a store keeps so that it is not made twice: the silicon of units, and reference pictures.
+// What a store keeps so that it is not made twice: the silicon of units, and pictures that points
+// are compared with.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -31,7 +32,8 @@ class UnitCache {
   Database& database_;
 };
 
-/// Pictures, packed. The key: of scene, frame, look and tracer.
+/// Pictures, packed, and the pixels that the links of error chains change. The key: of model,
+/// scene, frame, and what they depend on.
 class ReferenceCache {
  public:
   explicit ReferenceCache(Database& database) : database_(database) {}

@@ -142,11 +142,11 @@ bool repeat_frames(Store& store, std::int64_t model, int sample, ForkServer& ser
     names[block.number] = points[point].name.empty() ? "a point" : points[point].name;
     block.scene_name = scenes[scene].name;
     block.scene_hash = scenes[scene].hash;
-    block.is_base = true;  // whatever it was compared with, its own picture serves
     if (!read_setting(points[point].setting, block.k, block.reference)) {
       report += names[block.number] + " has knobs that this program does not know\n";
       return false;
     }
+    block.base = block.k;  // whichever it was compared with, its own picture serves
     list.push_back(block);
   }
   Comparer comparer(store, model, keys, names, report);

@@ -29,7 +29,7 @@ class Timing : public BlockRunner::Owner {
  public:
   void prepare(Block&) override {}
   void take(const Block&, const std::vector<Answer>& answers) override {
-    for (const Answer& answer : answers) reference_bytes += answer.reference.size();
+    for (const Answer& answer : answers) reference_bytes += answer.made.reference.size();
   }
   void fail(const Block&, const std::string& reason, const std::string&) override {
     throw std::runtime_error("the base point cannot be measured: " + reason);
@@ -81,11 +81,10 @@ std::string dry_run_text(const SweepPlan& plan, const std::string& folder, ForkS
   Block block;
   block.scene_name = scene.name;
   block.scene_hash = scene.show.hash();
-  block.k = plan.points.front().k.front();
+  block.k = block.base = plan.points.front().k.front();
   block.frames.assign(
       scene.order.begin(),
       scene.order.begin() + std::min<std::ptrdiff_t>(Timed, std::ptrdiff_t(scene.order.size())));
-  block.is_base = true;
   block.reference = plan.file.measure.reference;
   block.causes = plan.file.measure.causes;
   Timing timing;

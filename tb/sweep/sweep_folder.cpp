@@ -31,15 +31,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // What a run that was killed early may leave without a store.
-constexpr const char* Own[] = {"sweep.toml",
-                               "sweep.sqlite",
-                               "sweep.sqlite-wal",
-                               "sweep.sqlite-shm",
-                               "sweep.sqlite-journal",
-                               "lock",
-                               "status.json",
-                               "pictures",
-                               "failed"};
+constexpr const char* Own[] = {
+    "sweep.toml", "sweep.sqlite", "sweep.sqlite-wal", "sweep.sqlite-shm", "sweep.sqlite-journal",
+    "lock",       "status.json",  "figures.csv",      "pictures",         "failed"};
 constexpr std::size_t LongestName = 100;
 
 /// Who has the lock, as the lock's file says: "8f3a01c2-4711 1795349000".
@@ -134,6 +128,8 @@ void SweepFolder::keep_sweep(const std::string& text) const {
 }
 
 void SweepFolder::keep_status(const std::string& json) const { keep("status.json", json); }
+
+void SweepFolder::keep_figures(const std::string& csv) const { keep("figures.csv", csv); }
 
 std::string SweepFolder::keep_failure(const std::string& point, const std::string& text) const {
   const std::string name = "failed/" + file_name_of(point) + ".txt";

@@ -4,6 +4,7 @@
 //   sweep.sqlite     what was measured (store.h)
 //   lock             who writes
 //   status.json      how far it is
+//   figures.csv      all figures of all points, once it is done
 //   pictures/        of points
 //   failed/          what points said that could not be measured
 //
@@ -38,6 +39,7 @@ class SweepFolder {
   void keep_sweep(const std::string& text) const;
   /// Whole at any time.
   void keep_status(const std::string& json) const;
+  void keep_figures(const std::string& csv) const;
   std::string status() const;
   /// The file's name, from the folder.
   std::string keep_failure(const std::string& point, const std::string& text) const;

@@ -45,10 +45,9 @@ std::vector<Kept> asked(const SweepPlan& plan, const SweepState& state, int poin
 }
 
 std::string file_of(const std::string& packed_picture) {
-  const std::string bytes = unpacked(packed_picture, std::size_t(VisibleColumns) * VisibleRows);
-  return picture_bytes(picture_formats().front(),
-                       std::vector<std::uint8_t>(bytes.begin(), bytes.end()), VisibleColumns,
-                       VisibleRows);
+  const std::size_t size = std::size_t(VisibleColumns) * VisibleRows;
+  return picture_bytes(picture_formats().front(), unpacked_colours(packed_picture, size),
+                       VisibleColumns, VisibleRows);
 }
 
 }  // namespace

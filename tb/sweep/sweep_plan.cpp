@@ -24,9 +24,8 @@ namespace {
 
 SweepNames sweep_names() {
   SweepNames names;
-  for (const Figure& figure : figure_table())
-    names.figures.push_back({figure.name, figure.unit, figure.sampled(),
-                             figure.kind == Figure::Exact ? "silicon" : ""});
+  for (const PointFigure& figure : figure_table())
+    names.figures.push_back({figure.name, figure.unit, figure.sampled(), figure.measure()});
   names.scenes = scene_names();
   names.is_scene = [](const std::string& scene) {
     return scene == "demo" || std::filesystem::exists(scene_path(scene));

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/sweep/columns.h"
+#include "tb/sweep/figure_file.h"
 #include "tb/sweep/guard_frames.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/measurer.h"
@@ -30,37 +32,51 @@ namespace racebeam {
 
 namespace {
 
+/// What the last run of a folder has found: who asks the same again gets it without a look at all
+/// frames.
+struct Found {
+  explicit Found(const SweepPlan& plan) : key(plan.key() + model_hash("beam") + "\n") {}
+
+  const std::string key;
+
+  static void forget(Store& store) { store.notes.put("found", ""); }
+  void keep(Store& store, const std::string& text, bool failed) const {
+    store.notes.put("found", key + (failed ? "failed\n" : "good\n") + text);
+  }
+  /// Says it once more; the exit code, if it was found.
+  std::optional<int> say(const Store& store) const {
+    const std::string found = store.notes.find("found");
+    if (found.rfind(key, 0) != 0) return {};
+    const std::size_t end = found.find('\n', key.size());
+    print(found.substr(end + 1));
+    return found.compare(key.size(), end - key.size(), "good") == 0 ? ExitGood : ExitDifference;
+  }
+};
+
 /// A run in a folder that is taken.
 class Sweep {
  public:
-  Sweep(const SweepOptions& options, const SweepPlan& plan, SweepFolder& folder, ForkServer& server)
+  Sweep(const SweepOptions& options, const SweepPlan& plan, SweepFolder& folder, Store& store,
+        std::int64_t model, ForkServer& server)
       : options_(options),
         plan_(plan),
         folder_(folder),
-        store_(folder.store(), Access::Write),
-        opening_(store_.database()),
-        former_(store_),
-        model_(open_model(store_, plan, folder.path(), options.fresh)),
+        store_(store),
+        former_(store),
+        model_(model),
         reused_(reuse_results(store_, model_, plan, options.reuse)),
         progress_(plan, folder),
-        measurer_(plan, folder, store_, model_, server, options.jobs,
+        measurer_(plan, folder, store, model, server, options.jobs,
                   [this] { progress_.look(measurer_, rung_); }),
-        state_(plan, store_, measurer_),
-        silicon_(plan, &store_, options.fresh) {
-    opening_.commit();
-  }
+        state_(plan, store, measurer_),
+        silicon_(plan, &store, options.fresh) {}
 
   int run() {
-    const std::string key = plan_.key() + model_hash("beam");
+    Found::forget(store_);
     folder_.keep_sweep(plan_.text);
     keep_scenes(store_, plan_);
     tell_lines(former_.change_to(plan_));
     tell_lines(scenes_text(older_scenes(store_, model_)));
-    const std::string found = store_.notes.find("found " + key);
-    if (!found.empty() && !options_.fresh && !is_new_program(store_, model_)) {
-      print(found);
-      return store_.notes.find("failed " + key).empty() ? ExitGood : ExitDifference;
-    }
     tell(plan_text(plan_, there()) + silicon_.plan_text());
     if (reused_ > 0) tell(fmt::format("{} frames taken over", grouped(reused_)));
     const std::int64_t id = store_.runs.begin(this_run(options_.command, options_.jobs));
@@ -79,10 +95,10 @@ class Sweep {
     }
     measurer_.forget_failures();
     store_.stopped.replace(model_, state_.stops());
+    folder_.keep_figures(figures_csv(plan_, measurer_, state_, rung_));
     const std::string text = summary_text(plan_, measurer_, state_, rung_);
     print(text);
-    store_.notes.put("found " + key, silicon_.absent() ? "" : text);
-    store_.notes.put("failed " + key, measurer_.failed() ? "yes" : "");
+    if (!silicon_.absent()) Found(plan_).keep(store_, text, measurer_.failed() > 0);
     return measurer_.failed() ? ExitDifference : ExitGood;
   }
 
@@ -169,8 +185,7 @@ class Sweep {
   const SweepOptions& options_;
   const SweepPlan& plan_;
   SweepFolder& folder_;
-  Store store_;
-  Transaction opening_;  // a store that proves to be damaged stays as it was
+  Store& store_;
   const FormerPoints former_;
   const std::int64_t model_, reused_;
   int rung_ = 0;
@@ -191,7 +206,14 @@ int run_sweep(const SweepOptions& options) {
   }
   SweepFolder folder(options.folder, Access::Write);
   catch_interrupts();
-  return Sweep(options, plan, folder, server).run();
+  Store store(folder.store(), Access::Write);
+  Transaction opening(store.database());  // a store that proves to be damaged stays as it was
+  const std::int64_t model = open_model(store, plan, folder.path(), options.fresh);
+  if (!options.fresh && !is_new_program(store, model))
+    if (const std::optional<int> known = Found(plan).say(store)) return *known;
+  Sweep sweep(options, plan, folder, store, model, server);
+  opening.commit();
+  return sweep.run();
 }
 
 }  // namespace racebeam

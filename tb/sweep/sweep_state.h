@@ -44,7 +44,10 @@ class SweepState {
   bool wide(int frames) const;
 
   /// From the first frames of each scene, and guard frames.
-  PointReading read(int point, const Figure& figure, int frames) const;
+  PointReading read(int point, const PointFigure& figure, int frames) const;
+  /// The same of several figures, with their columns read once.
+  std::vector<PointReading> read(int point, const std::vector<const PointFigure*>& figures,
+                                 int frames) const;
   /// All that have not failed, with the goals of the file.
   struct Verdicts {
     std::vector<int> points;
@@ -62,6 +65,8 @@ class SweepState {
     std::string why{};
   };
 
+  std::vector<FrameRow> rows(int point, int scene, const std::vector<std::string>& columns,
+                             bool causes, int frames) const;
   std::vector<Candidate> candidates(const std::vector<int>& points, int frames) const;
 
   const SweepPlan& plan_;

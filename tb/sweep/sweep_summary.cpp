@@ -28,10 +28,10 @@ const char* standing_word(Verdict::Standing standing) {
 }
 
 // Goals first, then what says at what price.
-std::vector<const Figure*> shown_figures(const SweepPlan& plan) {
-  std::vector<const Figure*> figures;
+std::vector<const PointFigure*> shown_figures(const SweepPlan& plan) {
+  std::vector<const PointFigure*> figures;
   const auto add = [&](const std::string& name) {
-    const Figure* figure = figure_named(name);
+    const PointFigure* figure = figure_named(name);
     if (std::find(figures.begin(), figures.end(), figure) == figures.end())
       figures.push_back(figure);
   };
@@ -47,9 +47,9 @@ Strata strata_of(const PointReading& read, int scene) {
   return {read.reading.frames[static_cast<std::size_t>(scene)]};
 }
 
-std::string cell(const Figure& figure, const PointReading& read, int scene) {
+std::string cell(const PointFigure& figure, const PointReading& read, int scene) {
   if (!read.there) return "-";
-  if (figure.kind == Figure::Exact) return text_of(read.reading.exact, "");
+  if (figure.kind == PointFigure::Exact) return text_of(read.reading.exact, "");
   const Strata strata = strata_of(read, scene);
   if (figure.sampled()) return text_of(mean_of(strata), figure.unit[0] == '%' ? "%" : "");
   return text_of(worst_of(strata).value) + "*";
@@ -130,7 +130,7 @@ class Summary {
 
   std::string table(int scene) const {
     std::vector<Row> rows = {{"", "point", "frames"}};
-    for (const Figure* figure : figures_) rows[0].push_back(figure->name);
+    for (const PointFigure* figure : figures_) rows[0].push_back(figure->name);
     for (const std::size_t candidate : rows_) {
       const int point = all_.points[candidate];
       const PointReading any = state_.read(point, *figure_named("busy"), frames_);
@@ -138,7 +138,7 @@ class Summary {
       for (const Stratum& stratum : strata_of(any, scene)) frames += stratum.frames.size();
       Row row = {plan_.file.goals.empty() ? "" : standing_word(all_.verdicts[candidate].standing),
                  name(point), grouped(static_cast<long long>(frames))};
-      for (const Figure* figure : figures_)
+      for (const PointFigure* figure : figures_)
         row.push_back(cell(*figure, state_.read(point, *figure, frames_), scene));
       row.push_back(setting_words(plan_, point));
       rows.push_back(std::move(row));
@@ -147,8 +147,8 @@ class Summary {
   }
 
   std::string longest_note() const {
-    for (const Figure* figure : figures_)
-      if (figure->kind == Figure::Largest) {
+    for (const PointFigure* figure : figures_)
+      if (figure->kind == PointFigure::Largest) {
         const Worst worst = worst_of(state_.read(0, *figure, frames_).reading.frames);
         return fmt::format("* worst of the {} frames rendered\n", grouped(worst.frames));
       }
@@ -160,7 +160,7 @@ class Summary {
   std::string best() const {
     const std::vector<Goal>& goals = plan_.file.goals;
     for (std::size_t n = 0; n < goals.size(); ++n) {
-      const Figure& figure = *figure_named(goals[n].figure);
+      const PointFigure& figure = *figure_named(goals[n].figure);
       if (goals[n].kind == GoalKind::Limit || !figure.sampled()) continue;
       const double sign = goals[n].kind == GoalKind::Max ? -1 : 1;
       std::size_t best = 0;
@@ -180,12 +180,12 @@ class Summary {
     return "";
   }
 
-  std::string sentence(const Figure& figure, const std::string& better, const std::string& base,
-                       Estimate change) const {
+  std::string sentence(const PointFigure& figure, const std::string& better,
+                       const std::string& base, Estimate change) const {
     const bool sure = change.differs_from(0);
     const bool less = change.value < 0;
     change.value = std::abs(change.value);
-    const std::string unit = figure.kind == Figure::Percent ? "points" : figure.unit;
+    const std::string unit = figure.kind == PointFigure::Percent ? "points" : figure.unit;
     return fmt::format("{} has {} {} than {} by {}{}{}\n", better, less ? "less" : "more",
                        figure.name, base, text_of(change, unit),
                        plan_.points.size() > 2 && !change.all()
@@ -212,7 +212,7 @@ class Summary {
   const SweepState& state_;
   const int frames_;
   const SweepState::Verdicts all_;
-  const std::vector<const Figure*> figures_;
+  const std::vector<const PointFigure*> figures_;
   std::vector<std::size_t> rows_{};  // candidates
   std::size_t left_out_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
@@ -25,8 +26,6 @@ namespace {
 
 constexpr std::size_t PictureSize = std::size_t(VisibleColumns) * VisibleRows;
 
-std::string bytes_of(const GoldenPicture& picture) { return {picture.begin(), picture.end()}; }
-
 /// Answers one block.
 class Worker {
  public:
@@ -38,6 +37,7 @@ class Worker {
     if (show_.hash() != block_.scene_hash)
       throw UsageError("the scene " + block_.scene_name +
                        " has changed since the sweep began; run the same command again");
+    if (block_.causes) chain_.emplace(show_, block_.k, block_.reference);
   }
 
   void answer_all() {
@@ -55,7 +55,7 @@ class Worker {
     FrameRow& row = answer.frame.row;
     row.frame = frame;
     row.guard = block_.guard;
-    if (block_.pictures) answer.picture = packed(bytes_of(colours));
+    if (block_.pictures) answer.picture = packed_colours(colours);
     else if (block_.scan) row.values = scanned(*rendered.stats);
     else measure(rendered, answer);
     row.digest = frame_digest(frame, row.values);
@@ -63,7 +63,7 @@ class Worker {
   }
 
   std::vector<std::int64_t> scanned(const frame_counts& stats) const {
-    const std::vector<std::int64_t> values = column_values(stats, {}, {});
+    const std::vector<std::int64_t> values = column_values(show_.engine(), stats, {}, {});
     const std::vector<std::string> columns = sweep_columns(show_.engine());
     const auto value = [&](const char* column) {
       const auto at = std::find(columns.begin(), columns.end(), column);
@@ -74,44 +74,54 @@ class Worker {
 
   void measure(const ChipBench::Frame& rendered, Answer& answer) {
     const GoldenPicture& colours = rendered.picture.colours;
-    const int frame = rendered.number;
-    const GoldenPicture reference = reference_of(frame, colours, answer);
+    const auto at = block_.kept.find(rendered.number);
+    const KeptPictures kept = at == block_.kept.end() ? KeptPictures() : at->second;
+    const GoldenPicture reference =
+        reference_.made_with() == block_.k && block_.reference == SweepReference::Base
+            ? own(colours, kept.reference, answer.made.reference)
+            : made(reference_, rendered.number, kept.reference, answer.made.reference);
     const FrameErrors errors{golden_difference(colours, reference),
                              visible_difference(colours, reference)};
-    answer.frame.row.values = column_values(*rendered.stats, errors, colours);
+    answer.frame.row.values = column_values(show_.engine(), *rendered.stats, errors, colours);
     const std::vector<histogram_info>& histograms = show_.engine().histograms;
     for (std::size_t i = 0; i < histograms.size(); ++i) {
       const auto& bins = rendered.stats->histograms[i];
       answer.frame.histograms[histograms[i].name] = {bins.begin(), bins.end()};
     }
-    if (block_.causes) answer.frame.causes = causes_of(frame, reference);
+    if (block_.causes) put_causes(rendered, reference, kept, answer);
   }
 
-  GoldenPicture reference_of(int frame, const GoldenPicture& colours, Answer& answer) {
-    if (block_.is_base && block_.reference == SweepReference::Base) {
-      answer.reference = packed(bytes_of(colours));
-      return colours;
-    }
-    if (const auto at = block_.references.find(frame); at != block_.references.end()) {
-      const std::string bytes = unpacked(at->second, PictureSize);
-      return {bytes.begin(), bytes.end()};
-    }
-    if (block_.reference == SweepReference::Base)
-      throw std::runtime_error("the base's picture of frame " + std::to_string(frame) +
-                               " is missing");
-    const GoldenPicture made =
-        ReferencePicture(show_, block_.reference, block_.k, block_.k).picture(frame);
-    answer.reference = packed(bytes_of(made));
-    return made;
+  /// A picture that is not rendered.
+  static GoldenPicture own(const GoldenPicture& colours, const std::string& kept,
+                           std::string& packed_one) {
+    if (kept.empty()) packed_one = packed_colours(colours);
+    return colours;
   }
 
-  std::map<std::string, std::int64_t> causes_of(int frame, const GoldenPicture& reference) const {
-    const auto& names = error_causes(block_.reference);
+  /// As it is kept, or else made and packed.
+  static GoldenPicture made(const ReferencePicture& reference, int frame, const std::string& kept,
+                            std::string& packed_one) {
+    if (!kept.empty()) return unpacked_colours(kept, PictureSize);
+    GoldenPicture picture = reference.picture(frame);
+    packed_one = packed_colours(picture);
+    return picture;
+  }
+
+  void put_causes(const ChipBench::Frame& rendered, const GoldenPicture& reference,
+                  const KeptPictures& kept, Answer& answer) const {
+    const bool same = block_.reference != SweepReference::Base;
+    const GoldenPicture end =
+        same ? reference : made(chain_->end(), rendered.number, kept.end, answer.made.end);
+    ErrorChain::Links links(chain_->keys().size());
+    for (std::size_t i = 0; i < kept.links.size(); ++i)
+      if (!kept.links[i].empty()) links.at(i) = unpacked(kept.links[i], PictureSize / 8);
+    const ErrorChain::Links known = links;
     const std::vector<int> pixels =
-        errors_by_cause(show_, frame, block_.k, block_.reference, reference);
-    std::map<std::string, std::int64_t> causes;
-    for (std::size_t i = 0; i < names.size(); ++i) causes[names[i].name] = pixels[i];
-    return causes;
+        chain_->by_cause(rendered.number, rendered.picture.colours, end, links);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      answer.made.links.push_back(known[i].empty() ? packed(links[i]) : "");
+    const auto& names = error_causes(block_.reference);
+    for (std::size_t i = 0; i < names.size(); ++i) answer.frame.causes[names[i].name] = pixels[i];
   }
 
   void say(const std::string& line) const {
@@ -121,6 +131,8 @@ class Worker {
   const Block block_;
   const int file_;
   const Show show_;
+  const ReferencePicture reference_{show_, block_.reference, block_.k, block_.base};
+  std::optional<ErrorChain> chain_;
   TlmBench bench_;
 };
 

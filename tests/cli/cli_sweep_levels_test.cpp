@@ -38,7 +38,7 @@ TEST_F(CliSweepLevels, DigestsAreThoseOfTheChipOfSignals) {
     const GoldenPicture& colours = rendered.picture.colours;
     const GoldenPicture right = reference.picture(frame);
     const FrameErrors errors{golden_difference(colours, right), visible_difference(colours, right)};
-    const auto values = column_values(*rendered.stats, errors, colours);
+    const auto values = column_values(show.engine(), *rendered.stats, errors, colours);
     EXPECT_EQ(row.at("digest"), fmt::format("{:016x}", frame_digest(frame, values))) << frame;
   }
 }

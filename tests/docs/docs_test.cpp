@@ -16,6 +16,7 @@
 #include "tb/picture/picture_format.h"
 #include "tb/scene/scene_keys.h"
 #include "tb/scene/scene_reader.h"
+#include "tb/sweep/figures.h"
 #include "tests/support/document.h"
 
 namespace racebeam {
@@ -148,6 +149,12 @@ TEST(Docs, ExampleSceneIsGood) {
   const SceneResult result = read_scene(text.substr(begin, end - begin), "example");
   EXPECT_TRUE(result.faults.none()) << result.faults.text("docs/scenes.md");
   EXPECT_EQ(result.scene.rooms.size(), 22u);
+}
+
+TEST(Docs, ListsEveryFigureOfSweeps) {
+  const std::string text = page("docs/explore.md");
+  for (const PointFigure& figure : figure_table())
+    EXPECT_THAT(text, HasSubstr("\n" + figure_row(figure) + "\n"));
 }
 
 TEST(Docs, ListsEveryKnobWithItsDefaultAndRange) {

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <string>
 
+#include "tb/judge/tlm_pictures.h"
 #include "tb/show/open_show.h"
 #include "tests/support/core_picture.h"
 
@@ -22,6 +23,14 @@ const Show& demo() {
   return show;
 }
 
+std::vector<int> errors_by_cause(const Show& show, int frame, const knobs& k,
+                                 PictureReference reference) {
+  const ErrorChain chain(show, k, reference);
+  ErrorChain::Links links;
+  return chain.by_cause(frame, TlmPictures(show, frame, k).picture(k), chain.end().picture(frame),
+                        links);
+}
+
 struct Judged {
   std::map<std::string, int> causes;
   int difference;  ///< of the cores' picture from the reference
@@ -30,7 +39,7 @@ struct Judged {
 Judged judge(int frame, const knobs& k, PictureReference reference = PictureReference::Geometry,
              const Show& show = demo()) {
   const GoldenPicture ideal = ReferencePicture(show, reference, k, {}).picture(frame);
-  const std::vector<int> pixels = errors_by_cause(show, frame, k, reference, ideal);
+  const std::vector<int> pixels = errors_by_cause(show, frame, k, reference);
   const auto& causes = error_causes(reference);
   EXPECT_EQ(pixels.size(), causes.size());
   Judged judged{{}, golden_difference(core_picture(frame, k, show.program()), ideal)};
@@ -112,10 +121,47 @@ TEST(ErrorCauses, OfTrace4HaveNoRounding) {
 TEST(ErrorCauses, OfTheBaseAreThoseOfGeometry) {
   constexpr int Frame = 1023;
   EXPECT_EQ(&error_causes(PictureReference::Base), &error_causes(PictureReference::Geometry));
-  const GoldenPicture ideal =
-      ReferencePicture(demo(), PictureReference::Geometry, {}, {}).picture(Frame);
-  EXPECT_EQ(errors_by_cause(demo(), Frame, {}, PictureReference::Base, core_picture(Frame, {})),
-            errors_by_cause(demo(), Frame, {}, PictureReference::Geometry, ideal));
+  EXPECT_EQ(errors_by_cause(demo(), Frame, {}, PictureReference::Base),
+            errors_by_cause(demo(), Frame, {}, PictureReference::Geometry));
+}
+
+// The links from `interval_stack_depth` on, and from `hurry_threshold` on.
+TEST(ErrorCauses, PointsShareTheLinksThatDoNotSeeWhereTheyDiffer) {
+  const auto keys = [](const knobs& k) {
+    return ErrorChain(demo(), k, PictureReference::Geometry).keys();
+  };
+  const auto chip = keys({});
+  EXPECT_EQ(keys(with([](knobs& k) { k.hurry_threshold = 100; })), chip);
+  const auto stack = keys(with([](knobs& k) { k.interval_stack_depth = 2; }));
+  ASSERT_EQ(stack.size(), chip.size());
+  for (std::size_t i = 0; i < chip.size(); ++i) EXPECT_EQ(stack[i] == chip[i], i >= 2) << i;
+  const auto fifo = keys(with([](knobs& k) {
+    k.fifo_short_length_bits = 4;
+    k.fifo_merge = 0;
+    k.head_start = 8;
+  }));
+  for (std::size_t i = 0; i < chip.size(); ++i) EXPECT_EQ(fifo[i] == chip[i], i >= 1) << i;
+  const auto corners = keys(with([](knobs& k) { k.corner_rounding = 1; }));
+  EXPECT_NE(corners[3], chip[3]);
+  EXPECT_TRUE(std::equal(chip.begin() + 4, chip.end(), corners.begin() + 4, corners.end()));
+}
+
+TEST(ErrorCauses, LinksOfAnotherPointGiveTheSameNumbers) {
+  constexpr int Frame = 7167;
+  const ErrorChain chip(demo(), {}, PictureReference::Geometry);
+  const GoldenPicture end = chip.end().picture(Frame);
+  ErrorChain::Links links;
+  chip.by_cause(Frame, TlmPictures(demo(), Frame, {}).picture({}), end, links);
+  EXPECT_EQ(links.size(), chip.keys().size());
+  for (const knobs& k : {with([](knobs& k) { k.interval_stack_depth = 1; }),
+                         with([](knobs& k) { k.hurry_threshold = 200; })}) {
+    const ErrorChain chain(demo(), k, PictureReference::Geometry);
+    ErrorChain::Links shared(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i)
+      if (chain.keys()[i] == chip.keys()[i]) shared[i] = links[i];
+    EXPECT_EQ(chain.by_cause(Frame, TlmPictures(demo(), Frame, k).picture(k), end, shared),
+              errors_by_cause(demo(), Frame, k, PictureReference::Geometry));
+  }
 }
 
 }  // namespace

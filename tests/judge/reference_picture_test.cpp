@@ -37,9 +37,8 @@ TEST(ReferencePicture, MovesWithNoKnobButThoseOfTheLook) {
     for (const knob_info& row : knob_table())
       for (const int value : {row.min, row.max}) {
         const knobs k = with(row.member, value);
-        const bool look = which != PictureReference::Base &&
-                          (row.member == &knobs::interlace || row.member == &knobs::dithering ||
-                           row.member == &knobs::camera_cosine);
+        const bool look = row.member == &knobs::interlace || row.member == &knobs::dithering ||
+                          row.member == &knobs::camera_cosine;
         EXPECT_EQ(reference(which, k).key() != key, look && k != knobs{}) << row.name;
       }
   }
@@ -92,6 +91,12 @@ TEST(ReferencePicture, OfTheBaseIsItsChips) {
   constexpr int Frame = 7223;
   const knobs base = with(&knobs::interval_stack_depth, 1);
   EXPECT_EQ(reference(PictureReference::Base, {}, base).picture(Frame), core_picture(Frame, base));
+  knobs dull = base;
+  dull.dithering = DitheringOff;
+  EXPECT_EQ(
+      reference(PictureReference::Base, with(&knobs::dithering, DitheringOff), base).picture(Frame),
+      core_picture(Frame, dull))
+      << "with the look of the point";
 }
 
 }  // namespace

@@ -130,6 +130,11 @@ TEST_F(StoreTest, CausesMayComeLaterButNotOthers) {
   store.frames.put(store.key, {frame});
   store.frames.put(store.key, {frame});
   EXPECT_EQ(store.frames.causes(store.key)[1], frame.causes);
+  store.frames.put(store.key, {measured(2, 2)});
+  EXPECT_EQ(store.frames.with_causes(store.key.model, store.key.scene),
+            (std::unordered_map<std::int64_t, std::vector<int>>{{store.key.point, {1}}}));
+  EXPECT_EQ(store.frames.read_causes(store.key, {"other", "give_up"}),
+            (std::vector<FrameRow>{{1, false, 0, {0, 12}}}));
   frame.causes["starved"] = 1;
   EXPECT_THROW(store.frames.put(store.key, {frame}), NotDeterministic);
 }

@@ -7,7 +7,11 @@
 #include <map>
 #include <set>
 
+#include "sc/beam/engine.h"
+#include "sc/beam/frame_stats.h"
 #include "tb/base/errors.h"
+#include "tb/judge/error_causes.h"
+#include "tb/sweep/columns.h"
 #include "tb/sweep/figures.h"
 
 namespace racebeam {
@@ -36,11 +40,11 @@ double value_of(const char* figure, const std::map<std::string, std::int64_t>& v
 
 TEST(FiguresTest, NamesAreUniqueAndExplained) {
   std::set<std::string> names;
-  for (const Figure& figure : figure_table()) {
+  for (const PointFigure& figure : figure_table()) {
     EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
     EXPECT_STRNE(figure.unit, "") << figure.name;
-    EXPECT_STRNE(figure.meaning, "") << figure.name;
-    EXPECT_EQ(figure.terms.empty(), figure.kind == Figure::Exact) << figure.name;
+    EXPECT_NE(figure.meaning, "") << figure.name;
+    EXPECT_EQ(figure.terms.empty(), figure.kind == PointFigure::Exact) << figure.name;
     EXPECT_EQ(figure_named(figure.name), &figure);
   }
   EXPECT_EQ(figure_named("errors"), nullptr);
@@ -82,12 +86,95 @@ TEST(FiguresTest, FirstEmitIsWhatIsLeftOfTheHeadStart) {
   EXPECT_DOUBLE_EQ(first_emit(840'000, 240 * 100, 240), (220 + 320 - 1'600) / 2.0);
 }
 
+TEST(FiguresTest, MeansAreOverWhatWasCounted) {
+  EXPECT_DOUBLE_EQ(
+      value_of("stack.mean",
+               {{"stack_depth.sum", 300}, {"busy_clocks.sum", 140}, {"fifo_full_stalls", 10}}),
+      2);
+  EXPECT_DOUBLE_EQ(value_of("walk.mean", {{"walk_steps.sum", 7}, {"left_decisions", 2}}), 3.5);
+  EXPECT_DOUBLE_EQ(value_of("walk.mean", {{"walk_steps.sum", 0}, {"left_decisions", 0}}), 0)
+      << "a frame in which nothing was decided";
+}
+
+TEST(FiguresTest, AShareOfFramesIsOfThoseThatHaveAny) {
+  EXPECT_DOUBLE_EQ(value_of("starved.frames", {{"seen_starved_pixels", 1}}), 100);
+  EXPECT_DOUBLE_EQ(value_of("starved.frames", {{"seen_starved_pixels", 0}}), 0);
+  EXPECT_DOUBLE_EQ(value_of("starved.max", {{"seen_starved_pixels", 307'200}}), 100);
+}
+
+TEST(FiguresTest, EveryCauseOfAnErrorIsAFigure) {
+  for (const auto reference : {PictureReference::Geometry, PictureReference::Trace4})
+    for (const ErrorCause& cause : error_causes(reference)) {
+      const PointFigure* const figure = figure_named(std::string("error.") + cause.name);
+      ASSERT_NE(figure, nullptr) << cause.name;
+      EXPECT_TRUE(figure->of_cause && figure->sampled());
+      EXPECT_STREQ(figure->measure(), "causes");
+      EXPECT_DOUBLE_EQ(value_of(figure->name.c_str(), {{cause.name, 3'072}}), 1);
+    }
+}
+
+TEST(FiguresTest, AllFiguresOfFramesAreKept) {
+  const std::vector<std::string> columns = sweep_columns(beam_engine());
+  for (const PointFigure& figure : figure_table())
+    EXPECT_TRUE(figure.of_cause || !figure.missing(columns)) << figure.name;
+}
+
+TEST(FiguresTest, PartsOfALineAddUpToIt) {
+  std::map<std::string, std::int64_t> values;
+  for (const line_info& line : beam_engine().lines)
+    if (*line.part) values[std::string(line.name) + ".sum"] = 480 * 200;
+  EXPECT_EQ(values.size(), LineParts);
+  double sum = 0;
+  for (const PointFigure& figure : figure_table())
+    if (figure.name.rfind("line.", 0) == 0) sum += value_of(figure.name.c_str(), values);
+  EXPECT_DOUBLE_EQ(sum, 200.0 * LineParts);
+}
+
+/// A column of a frame in which a histogram has these bins.
+std::int64_t column_of(const char* column, const char* histogram,
+                       const std::map<int, std::uint64_t>& bins) {
+  const engine& beam = beam_engine();
+  frame_counts counts;
+  counts.counters.resize(beam.counters.size());
+  counts.lines.resize(beam.lines.size());
+  for (const histogram_info& info : beam.histograms) {
+    counts.histograms.emplace_back(65);
+    if (std::string(info.name) == histogram)
+      for (const auto& [value, count] : bins)
+        counts.histograms.back().at(static_cast<std::size_t>(value)) = count;
+  }
+  const std::vector<std::string> names = sweep_columns(beam);
+  const auto at = std::find(names.begin(), names.end(), column);
+  if (at == names.end()) throw std::invalid_argument(column);
+  return column_values(beam, counts, {}, {}).at(static_cast<std::size_t>(at - names.begin()));
+}
+
+TEST(SweepColumnsTest, HistogramsHaveSumsAndPercentiles) {
+  EXPECT_EQ(column_of("stack_depth.sum", "stack_depth", {{0, 9}, {1, 5}, {4, 2}}), 13);
+  EXPECT_EQ(column_of("fifo_fill.p50", "fifo_fill", {{0, 2}, {3, 3}, {10, 1}}), 3);
+  EXPECT_EQ(column_of("fifo_fill.p50", "fifo_fill", {{0, 3}, {10, 3}}), 0);
+  EXPECT_EQ(column_of("fifo_fill.p50", "fifo_fill", {}), 0);
+}
+
+// Of 307,200 pixels; bins of 32 clocks.
+TEST(SweepColumnsTest, PixelsThatAreKnownTooLateHaveNoSlack) {
+  const auto slack = [](const char* column, const std::map<int, std::uint64_t>& bins) {
+    return column_of(column, "slack", bins);
+  };
+  EXPECT_EQ(slack("slack.p50", {{2, 307'200}}), 64 + 15) << "they lie evenly in a bin";
+  EXPECT_EQ(slack("slack.p1", {{2, 307'200}}), 64);
+  EXPECT_EQ(slack("slack.p1", {{5, 307'200 - 3'072}}), 0) << "1 % starve";
+  EXPECT_EQ(slack("slack.p1", {{5, 307'200 - 3'071}}), 160);
+  EXPECT_EQ(slack("slack.p50", {{5, 1'000}, {6, 152'600}}), 0);
+  EXPECT_EQ(slack("slack.p50", {{5, 1'000}, {6, 152'601}}), 160);
+}
+
 TEST(FiguresTest, ColumnsAreFoundByName) {
   EXPECT_DOUBLE_EQ(value_of("restarts", {{"clocks", 1}, {"restarts", 480}, {"zebra", 3}}), 1);
 }
 
 TEST(FiguresTest, MissingColumnIsNamed) {
-  const Figure& figure = *figure_named("first_emit");
+  const PointFigure& figure = *figure_named("first_emit");
   EXPECT_EQ(figure.missing({"clocks", "first_emit_clock.never", "first_emit_clock.sum"}), nullptr);
   EXPECT_STREQ(figure.missing({"clocks", "first_emit_clock.never"}), "first_emit_clock.sum");
   try {

@@ -1,0 +1,62 @@
+// Pictures come out of their packing as they went in, and damaged ones do not come out at all.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/sweep/packed.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+namespace racebeam {
+namespace {
+
+using Colours = std::vector<std::uint8_t>;
+
+Colours runs(const std::vector<std::size_t>& lengths) {
+  Colours colours;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    colours.insert(colours.end(), lengths[i], static_cast<std::uint8_t>(i * 21 % 64));
+  return colours;
+}
+
+void expect_same(const Colours& colours) {
+  EXPECT_EQ(unpacked_colours(packed_colours(colours), colours.size()), colours);
+}
+
+TEST(Packed, ColoursComeBackWhateverTheirRuns) {
+  expect_same(runs({1, 2, 3, 4, 5, 127, 128, 129, 16'383, 16'384, 1}));
+  expect_same(runs({640 * 480}));
+  expect_same({});
+  std::mt19937 random(7);
+  for (int round = 0; round < 20; ++round) {
+    Colours colours(5'000);
+    for (std::uint8_t& colour : colours) colour = random() % 3 ? colours[0] : random() % 64;
+    expect_same(colours);
+  }
+}
+
+TEST(Packed, BytesComeBack) {
+  const std::string bytes("\0\xff\x80 a", 5);
+  EXPECT_EQ(unpacked(packed(bytes), bytes.size()), bytes);
+  EXPECT_EQ(of_hex(hex_of(bytes)), bytes);
+}
+
+TEST(Packed, DamagedPicturesAreRefused) {
+  const Colours colours = runs({3, 700, 2, 90});
+  const std::string good = packed_colours(colours);
+  EXPECT_THROW(unpacked_colours(good, colours.size() - 1), std::runtime_error);
+  EXPECT_THROW(unpacked_colours(good, colours.size() + 1), std::runtime_error);
+  for (std::size_t size = 0; size < good.size(); ++size)
+    EXPECT_THROW(unpacked_colours(good.substr(0, size), colours.size()), std::runtime_error);
+  EXPECT_THROW(unpacked_colours("99999999999 x", 1), std::runtime_error);
+  // Runs that end within a length, and one without end.
+  for (const std::string& text : {std::string("\0", 1), std::string("\0\x80", 2),
+                                  std::string("\0\0", 2), std::string(20, '\x80')})
+    EXPECT_THROW(unpacked_colours(std::to_string(text.size()) + ' ' + packed(text), 64),
+                 std::runtime_error);
+}
+
+}  // namespace
+}  // namespace racebeam
