@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/cli/sweep_bench.h"
-#include "tests/sweep/small_disk.h"
+#include "tests/support/small_disk.h"
 
 namespace racebeam {
 namespace {

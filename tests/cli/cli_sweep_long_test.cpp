@@ -5,7 +5,7 @@
 #include <random>
 
 #include "tests/cli/sweep_bench.h"
-#include "tests/sweep/fake_yosys.h"
+#include "tests/support/fake_yosys.h"
 
 namespace racebeam {
 namespace {

@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/cli/sweep_bench.h"
-#include "tests/sweep/fake_yosys.h"
+#include "tests/support/fake_yosys.h"
 
 namespace racebeam {
 namespace {

@@ -12,7 +12,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/sweep/silicon_plan.h"
 #include "tb/sweep/store.h"
-#include "tests/sweep/fake_yosys.h"
+#include "tests/support/fake_yosys.h"
 #include "tests/sweep/sweep_store.h"
 
 namespace racebeam {

@@ -18,7 +18,7 @@
 #include "tb/base/project_folder.h"
 #include "tb/sweep/unit_sources.h"
 #include "tb/verilate/rtl_syntax.h"
-#include "tests/sweep/fake_yosys.h"
+#include "tests/support/fake_yosys.h"
 #include "tests/sweep/sweep_store.h"
 
 namespace racebeam {

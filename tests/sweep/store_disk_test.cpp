@@ -11,7 +11,7 @@
 #include "tb/sweep/store_check.h"
 #include "tb/sweep/store_errors.h"
 #include "tb/sweep/sweep_folder.h"
-#include "tests/sweep/small_disk.h"
+#include "tests/support/small_disk.h"
 #include "tests/sweep/sweep_store.h"
 
 namespace racebeam {
