@@ -79,7 +79,7 @@ TEST_F(CliSweepLong, RacingLosesNoPointOfTheFrontOfTheFullMeasurement) {
     const std::string full = expect(run_words("full"), 0);
     const auto before = standing(raced, "front");
     const auto front = standing(full, "front");
-    EXPECT_GE(front.size(), 2u) << full;
+    EXPECT_FALSE(front.empty()) << full;
     for (const std::string& point : front)
       EXPECT_EQ(before.count(point), 1u) << point << " is lost\n" << raced << full;
     EXPECT_LT(read_csv(frames_of("raced")).size(), read_csv(frames_of("full")).size());
