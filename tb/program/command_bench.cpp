@@ -21,6 +21,7 @@
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
+#include "tb/speed/sweep_rows.h"
 #include "tb/twin/unit_bench.h"
 
 namespace racebeam {
@@ -93,6 +94,7 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
 
 // Groups of rows, which may be asked for as a unit may.
 constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes", *Host = "host";
+constexpr const char* Sweep = "sweep";  // only if it is asked for: it takes minutes
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
@@ -125,6 +127,23 @@ class GroupRuns {
   Json& all_;
   int done_ = 0;
 };
+
+/// Rows of sweeps, which have goals.
+void run_sweeps(int repeats, bool json, Json& all) {
+  measure_sweeps(repeats, [&](const GoalRow& row) {
+    const char* const goal = row.at_least ? "at_least" : "at_most";
+    all.push_back({{"name", row.name},
+                   {"value", row.value},
+                   {"unit", row.unit},
+                   {goal, row.goal},
+                   {"met", row.met()}});
+    if (!json)
+      print(fmt::format("{:<42} {:8.3f} {:<6}  {} {:g}{}\n", row.name, row.value, row.unit,
+                        row.at_least ? "at least" : "at most", row.goal,
+                        row.met() ? "" : ": MISSED"));
+  });
+}
+
 /// What is known of the slowest part at the level tlm.
 Json slowest_tlm(const Json& all) {
   Json worst;
@@ -155,7 +174,7 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 std::vector<std::string> bench_rows() {
-  std::vector<std::string> rows = {Levels, Traces, Mixes, Host};
+  std::vector<std::string> rows = {Levels, Traces, Mixes, Host, Sweep};
   for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
   return rows;
 }
@@ -212,6 +231,7 @@ int command_bench(const BenchOptions& options) {
     worst = slowest_tlm(all);
     if (!options.json) print(verdict(worst));
   }
+  if (!options.rows.empty() && wanted(Sweep)) run_sweeps(options.repeats, options.json, all);
   if (options.json) {
     Json report{{"schema", "racebeam-bench"},
                 {"version", 1},
@@ -227,7 +247,10 @@ int command_bench(const BenchOptions& options) {
 namespace {
 
 void add_options(const CommandOptions& command, BenchOptions& options) {
-  command.add_option("row", options.rows, "Only these: levels, traces, mixes, host, or units")
+  command
+      .add_option("row", options.rows,
+                  "Only these: levels, traces, mixes, host, sweep, or units; sweep takes minutes "
+                  "and is run only if it is named")
       .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))
