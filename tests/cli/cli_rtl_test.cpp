@@ -60,7 +60,7 @@ TEST_F(CliRtlTest, WhatAKilledProgramHasStartedDiesWithIt) {
   const auto lives = [&] {
     return !read_file("/proc/" + std::to_string(started) + "/cmdline").empty();
   };
-  ASSERT_TRUE(lives());
+  ASSERT_TRUE(becomes_true(lives));  // no command line while it becomes sleep
   run.signal(SIGKILL);
   EXPECT_EQ(run.wait(), -SIGKILL);
   EXPECT_TRUE(becomes_true([&] { return !lives(); }));
