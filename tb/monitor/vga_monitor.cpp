@@ -32,14 +32,19 @@ std::string clocks(int begin, int end) {
 }  // namespace
 
 VgaMonitor::VgaMonitor(const Raster& raster, FrameCallback on_frame, VgaCrcs crcs,
-                       VgaFaults* tolerated)
-    : raster_(raster), on_frame_(std::move(on_frame)), crcs_(crcs), tolerated_(tolerated) {
+                       VgaFaults* tolerated, const VgaPinout& pinout)
+    : raster_(raster),
+      on_frame_(std::move(on_frame)),
+      crcs_(crcs),
+      tolerated_(tolerated),
+      pinout_(pinout) {
   frame_.width = raster_.columns;
   frame_.height = raster_.rows;
-  frame_.colours.resize(std::size_t(frame_.width) * frame_.height);
+  frame_.bits = pinout_.bits;
+  frame_.colours.resize(frame_.pixels() * frame_.colour_bytes());
 }
 
-void VgaMonitor::change(std::uint64_t clock, std::uint8_t pins) {
+void VgaMonitor::change(std::uint64_t clock, std::uint32_t pins) {
   advance(clock);
   const int in_frame = static_cast<int>(clock - frame_begin_);
   if (runs_.back().clock == in_frame) runs_.back().pins = pins;
@@ -78,7 +83,6 @@ void VgaMonitor::finish_frame() {
 
 /// Checks line `y` and takes its pixels; `run` covers its first clock and moves to its last.
 void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
-  static const std::array<std::uint8_t, 256> colours = make_colours();
   const Raster& r = raster_;
   const bool visible = r.visible_line(y);
   const bool above = r.vsync(y == r.first_line ? r.last_line() : y - 1), here = r.vsync(y);
@@ -93,7 +97,10 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
                  {r.active_begin, r.line_clocks(), !r.hsync_pulse, !visible, "visible columns"}};
   const int first = (y - r.first_line) * r.line_clocks();
   std::uint8_t* const row =
-      visible ? &frame_.colours[std::size_t(y - r.first_visible_line) * r.columns] : nullptr;
+      visible
+          ? &frame_
+                 .colours[std::size_t(y - r.first_visible_line) * r.columns * frame_.colour_bytes()]
+          : nullptr;
   for (const auto& region : regions) {
     Span span{region.begin, region.end, region.hsync, above, known, region.black, region.name};
     for (int clock = region.begin; clock < region.end;) {
@@ -102,17 +109,31 @@ void VgaMonitor::finish_line(int y, const Run*& run, const Run* last) {
       int end = std::min(run[1].clock - first, region.end);
       if (clock < r.vsync_at) end = std::min(end, r.vsync_at);
       check(span, y, clock, end - clock, run->pins);
-      if (row) std::fill(row + r.column_at[clock], row + r.column_at[end], colours[run->pins]);
+      if (row) fill(row, r.column_at[clock], r.column_at[end], run->pins);
       clock = end;
       if (run[1].clock - first <= clock && run != last) ++run;
     }
   }
 }
 
-void VgaMonitor::check(const Span& span, int y, int clock, int clocks, std::uint8_t pins) {
-  const bool syncs = ((pins >> PinHsync) & 1) == span.hsync &&
-                     (!span.check_vsync || ((pins >> PinVsync) & 1) == span.vsync);
-  const bool black = !span.black || !(pins & ColourPins);
+/// Columns `from` .. `to` - 1 of a row.
+void VgaMonitor::fill(std::uint8_t* row, int from, int to, std::uint32_t pins) const {
+  static const std::array<std::uint8_t, 256> tiny_colours = make_colours();
+  if (pinout_.tiny) {
+    std::fill(row + from, row + to, tiny_colours[pins & 0xff]);
+    return;
+  }
+  const int bytes = frame_.colour_bytes();
+  std::uint32_t colour = pinout_.colour(pins);
+  for (int n = 0; n < bytes; ++n, colour >>= 8)
+    for (int column = from; column < to; ++column)
+      row[column * bytes + n] = static_cast<std::uint8_t>(colour);
+}
+
+void VgaMonitor::check(const Span& span, int y, int clock, int clocks, std::uint32_t pins) {
+  const bool syncs = ((pins >> pinout_.hsync) & 1) == span.hsync &&
+                     (!span.check_vsync || ((pins >> pinout_.vsync) & 1) == span.vsync);
+  const bool black = !span.black || !(pins & pinout_.colours);
   if (syncs && black) return;
   if (!tolerated_) throw SyncError(fault(span, y, clock, pins));
   std::uint64_t& count = syncs ? tolerated_->colour_clocks : tolerated_->sync_clocks;
@@ -121,8 +142,8 @@ void VgaMonitor::check(const Span& span, int y, int clock, int clocks, std::uint
   count += static_cast<std::uint64_t>(clocks);
 }
 
-std::string VgaMonitor::fault(const Span& span, int y, int clock, std::uint8_t pins) const {
-  const bool hsync = (pins >> PinHsync) & 1, vsync = (pins >> PinVsync) & 1;
+std::string VgaMonitor::fault(const Span& span, int y, int clock, std::uint32_t pins) const {
+  const bool hsync = (pins >> pinout_.hsync) & 1, vsync = (pins >> pinout_.vsync) & 1;
   const std::string from = " clock " + std::to_string(raster_.vsync_at);
   const int end = raster_.vsync_line + raster_.vsync_lines;
   std::string what = "frame " + std::to_string(frame_.index) + ", line " + std::to_string(y) +
@@ -136,9 +157,9 @@ std::string VgaMonitor::fault(const Span& span, int y, int clock, std::uint8_t p
             ", which is line " + std::to_string(raster_.vsync_line) + from + " up to line " +
             std::to_string(end > raster_.last_line() ? end - raster_.lines : end) + from + ")";
   } else {
-    const int colour = colour_of_pins(pins);
-    what += "red, green, blue are " + std::to_string(colour >> 4) + ", " +
-            std::to_string(colour >> 2 & 3) + ", " + std::to_string(colour & 3) +
+    const std::uint32_t colour = pinout_.colour(pins), most = (1u << pinout_.bits) - 1;
+    what += "red, green, blue are " + std::to_string(colour >> 2 * pinout_.bits) + ", " +
+            std::to_string(colour >> pinout_.bits & most) + ", " + std::to_string(colour & most) +
             ", must be 0, 0, 0 (" +
             (span.begin < raster_.active_begin ? span.name + (", " + clocks(span.begin, span.end))
                                                : "line " + std::to_string(y) + " is not visible") +
@@ -148,14 +169,18 @@ std::string VgaMonitor::fault(const Span& span, int y, int clock, std::uint8_t p
 }
 
 std::uint32_t VgaMonitor::crc_of_pins() const {
-  std::array<std::uint8_t, 4096> bytes;
+  std::array<std::uint8_t, 4096> bytes;  // a multiple of what a clock has
   std::size_t filled = 0;
   uLong crc = crc32(0, nullptr, 0);
+  const int each = pinout_.vsync < 8 ? 1 : 4;
   for (std::size_t i = 0; i + 1 < whole_.size(); ++i) {
     for (int left = whole_[i + 1].clock - whole_[i].clock; left > 0;) {
-      const auto part = std::min<std::size_t>(left, bytes.size() - filled);
-      std::fill_n(bytes.begin() + filled, part, whole_[i].pins);
-      filled += part;
+      const auto part = std::min<std::size_t>(left, (bytes.size() - filled) / each);
+      if (each == 1) std::fill_n(&bytes[filled], part, static_cast<std::uint8_t>(whole_[i].pins));
+      else
+        for (std::size_t n = 0; n < part * each; ++n)
+          bytes[filled + n] = static_cast<std::uint8_t>(whole_[i].pins >> n % 4 * 8);
+      filled += part * each;
       left -= static_cast<int>(part);
       if (filled == bytes.size()) {
         crc = crc32(crc, bytes.data(), static_cast<uInt>(filled));

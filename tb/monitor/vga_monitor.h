@@ -1,4 +1,5 @@
-// VgaMonitor: a screen that sees the eight VGA pins and nothing else.
+// VgaMonitor: a screen that sees the VGA pins and nothing else: the eight of the chip, or those of
+// a converter of any depth.
 //
 // It is fed with changes of the pins, so its cost follows the picture, not the clock. When a frame
 // is whole, every one of its clocks is checked: the place, width and polarity of both sync pulses,
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "tb/base/errors.h"
+#include "tb/base/packed_picture.h"
 #include "tb/monitor/raster.h"
 
 namespace racebeam {
@@ -37,13 +39,32 @@ constexpr int pins_of_colour(int colour) {
          bit(0, PinB0);
 }
 
-/// A checked frame.
-struct VgaFrame {
-  std::uint64_t index = 0;  ///< 0 is the first after reset
-  int width = VisibleColumns, height = VisibleRows;
-  std::vector<std::uint8_t> colours;  ///< width x height, row by row, r * 16 + g * 4 + b
-  std::uint32_t image_crc = 0;        ///< CRC-32 of colours; 0 unless asked for
-  std::uint32_t pins_crc = 0;         ///< CRC-32 of the pins in each clock; 0 unless asked for
+/// Which of up to 32 pins is what.
+struct VgaPinout {
+  int bits;  ///< of each of the three colours
+  int hsync, vsync;
+  std::uint32_t colours;  ///< a mask of the pins of all three
+  bool tiny = false;      ///< of TinyVGA; else red lies above green above blue, from pin 0 on
+
+  constexpr std::uint32_t colour(std::uint32_t pins) const {
+    return tiny ? static_cast<std::uint32_t>(colour_of_pins(static_cast<int>(pins)))
+                : pins & colours;
+  }
+};
+constexpr VgaPinout TinyVga{2, PinHsync, PinVsync, ColourPins, true};
+/// Three colours of `bits` each, 1..10; above them hsync, then vsync.
+constexpr VgaPinout converter_pinout(int bits) {
+  return {bits, 3 * bits, 3 * bits + 1, (std::uint32_t{1} << 3 * bits) - 1};
+}
+
+/// A checked frame; or a picture from a frame store, which no monitor checks.
+struct VgaFrame : PackedPicture {
+  VgaFrame() : PackedPicture{VisibleColumns, VisibleRows, 2, {}} {}
+
+  std::uint64_t index = 0;      ///< 0 is the first after reset
+  std::uint32_t image_crc = 0;  ///< CRC-32 of colours; 0 unless asked for
+  /// CRC-32 of the pins in each clock, a byte for each eight of them; 0 unless asked for.
+  std::uint32_t pins_crc = 0;
 };
 
 /// Which check sums to compute.
@@ -70,12 +91,12 @@ class VgaMonitor {
   /// `tolerated`, which must outlive the monitor, faults are counted there and the frame is handed
   /// on, unless the syncs are lost: wrong in a tenth of its clocks.
   VgaMonitor(const Raster& raster, FrameCallback on_frame, VgaCrcs crcs = {},
-             VgaFaults* tolerated = nullptr);
+             VgaFaults* tolerated = nullptr, const VgaPinout& pinout = TinyVga);
 
   /// The pins have this value from `clock` on; of several calls for one clock the last wins. Every
   /// clock before it is known. The pins are 0 until told. Throws SyncError, and std::logic_error
   /// if the clock runs backwards.
-  void change(std::uint64_t clock, std::uint8_t pins);
+  void change(std::uint64_t clock, std::uint32_t pins);
 
   /// Every clock before `clock` is known. Throws as change() does.
   void advance(std::uint64_t clock);
@@ -87,7 +108,7 @@ class VgaMonitor {
   /// The pins' value from a clock of the frame up to the next run.
   struct Run {
     int clock;
-    std::uint8_t pins;
+    std::uint32_t pins;
   };
   /// A part of a line in which the pins are held to one rule.
   struct Span {
@@ -98,14 +119,16 @@ class VgaMonitor {
 
   void finish_frame();
   void finish_line(int y, const Run*& run, const Run* end);
-  void check(const Span& span, int y, int clock, int clocks, std::uint8_t pins);
-  std::string fault(const Span& span, int y, int clock, std::uint8_t pins) const;
+  void fill(std::uint8_t* row, int from, int to, std::uint32_t pins) const;
+  void check(const Span& span, int y, int clock, int clocks, std::uint32_t pins);
+  std::string fault(const Span& span, int y, int clock, std::uint32_t pins) const;
   std::uint32_t crc_of_pins() const;
 
   const Raster raster_;
   const FrameCallback on_frame_;
   const VgaCrcs crcs_;
   VgaFaults* const tolerated_;
+  const VgaPinout pinout_;
   std::uint64_t frame_begin_ = 0;  // clock 0 of the frame being seen
   std::uint64_t now_ = 0;          // every clock before is known
   std::uint64_t good_frames_ = 0;

@@ -18,16 +18,17 @@ constexpr int Baseline = 14;       // pixels below a thumbnail
 constexpr Rgb Paper = {32, 32, 32};
 
 /// Means of blocks of pixels, put at (left, top) of the sheet.
-void put_thumbnail(RgbImage& sheet, const SheetFrame& frame, int width, int height, int downscale,
-                   int left, int top) {
+void put_thumbnail(RgbImage& sheet, const PackedPicture& picture, int downscale, int left,
+                   int top) {
   const int area = downscale * downscale;
   const auto mean = [&](int sum) { return static_cast<std::uint8_t>((sum + area / 2) / area); };
-  for (int y = 0; y < height / downscale; ++y)
-    for (int x = 0; x < width / downscale; ++x) {
+  for (int y = 0; y < picture.height / downscale; ++y)
+    for (int x = 0; x < picture.width / downscale; ++x) {
       int r = 0, g = 0, b = 0;
       for (int i = 0; i < area; ++i) {
-        const int from = (y * downscale + i / downscale) * width + x * downscale + i % downscale;
-        const Rgb pixel = rgb_of(frame.colours[from]);
+        const int from =
+            (y * downscale + i / downscale) * picture.width + x * downscale + i % downscale;
+        const Rgb pixel = rgb_of(picture.colour(static_cast<std::size_t>(from)), picture.bits);
         r += pixel.r;
         g += pixel.g;
         b += pixel.b;
@@ -42,8 +43,11 @@ void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>&
                          int height, int columns, int downscale) {
   if (frames.empty()) throw std::invalid_argument("contact sheet: no frames");
   if (columns < 1) throw std::invalid_argument("contact sheet: bad columns");
+  const auto picture_of = [=](const SheetFrame& frame) {
+    return PackedPicture{width, height, frame.bits, frame.colours};
+  };
   for (const SheetFrame& frame : frames)
-    if (frame.colours.size() != static_cast<std::size_t>(width) * height)
+    if (!picture_of(frame).whole())
       throw std::invalid_argument("contact sheet: the number of colours is not width * height");
   if (downscale < 1 || downscale > std::min(width, height))
     throw std::invalid_argument("contact sheet: bad downscale");
@@ -55,7 +59,7 @@ void write_contact_sheet(const std::string& path, const std::vector<SheetFrame>&
   const ImageLibrary& images = image_library();
   for (int i = 0; i < count; ++i) {
     const int left = Gap + i % across * cell_width, top = Gap + i / across * cell_height;
-    put_thumbnail(sheet, frames[i], width, height, downscale, left, top);
+    put_thumbnail(sheet, picture_of(frames[i]), downscale, left, top);
     images.put_text(sheet.bytes(), sheet.width(), sheet.height(), frames[i].caption, left,
                     left + cell_width - Gap, top + height / downscale + Baseline);
   }

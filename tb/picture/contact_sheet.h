@@ -12,8 +12,9 @@ namespace racebeam {
 
 /// One picture of a contact sheet.
 struct SheetFrame {
-  std::vector<std::uint8_t> colours;  ///< as for write_png
+  std::vector<std::uint8_t> colours;  ///< as PackedPicture has them
   std::string caption;                ///< one short line
+  int bits = 2;                       ///< of a channel
 };
 
 /// Writes all frames, each width x height pixels, in rows of `columns` as one picture, of the

@@ -6,10 +6,46 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tb/picture/rgb_image.h"
+
 namespace racebeam {
 namespace {
 
-constexpr int ColourBits = 6, Colours = 1 << ColourBits;
+constexpr int ChipBits = 2;                     // a channel; deeper pictures are brought down
+constexpr int Reds = 6, Greens = 7, Blues = 6;  // of a deeper picture
+constexpr int LightSteps = 255;
+
+/// The colours of the file, of pictures with `bits` a channel.
+std::vector<GifColorType> palette_of(int bits) {
+  std::vector<GifColorType> palette;
+  if (bits == ChipBits) {
+    for (std::uint32_t colour = 0; colour < 1 << 3 * ChipBits; ++colour) {
+      const Rgb rgb = rgb_of(colour, ChipBits);
+      palette.push_back({rgb.r, rgb.g, rgb.b});
+    }
+    return palette;
+  }
+  const auto level = [](int n, int levels) {
+    return static_cast<GifByteType>((n * LightSteps + (levels - 1) / 2) / (levels - 1));
+  };
+  for (int r = 0; r < Reds; ++r)
+    for (int g = 0; g < Greens; ++g)
+      for (int b = 0; b < Blues; ++b)
+        palette.push_back({level(r, Reds), level(g, Greens), level(b, Blues)});
+  palette.resize(256);  // GIF wants a power of two
+  return palette;
+}
+
+/// The nearest of them.
+GifByteType index_of(std::uint32_t colour, int bits) {
+  if (bits == ChipBits) return static_cast<GifByteType>(colour & ((1 << 3 * ChipBits) - 1));
+  const Rgb rgb = rgb_of(colour, bits);
+  const auto nearest = [](int light, int levels) {
+    return (light * (levels - 1) + LightSteps / 2) / LightSteps;
+  };
+  return static_cast<GifByteType>((nearest(rgb.r, Reds) * Greens + nearest(rgb.g, Greens)) * Blues +
+                                  nearest(rgb.b, Blues));
+}
 
 int checked(int value, int max, const char* name) {
   if (value < 1 || value > max) throw std::invalid_argument(std::string("GIF: bad ") + name);
@@ -26,26 +62,24 @@ double checked_rate(double frames_per_second) {
 }  // namespace
 
 GifWriter::GifWriter(const std::string& path, int width, int height, double frames_per_second,
-                     int downscale)
+                     int downscale, int bits)
     : file_(path),
       width_(checked(width, 65535, "width")),
       height_(checked(height, 65535, "height")),
       downscale_(checked(downscale, std::min(width, height), "downscale")),
+      bits_(checked(bits, 10, "depth of colour")),
       columns_(width / downscale),
       rows_(height / downscale),
       rate_(checked_rate(frames_per_second)),
       shown_(static_cast<std::size_t>(columns_) * rows_),
       next_(shown_.size()) {
-  GifColorType palette[Colours];
-  for (int c = 0; c < Colours; ++c)
-    palette[c] = {static_cast<GifByteType>((c >> 4 & 3) * 85),
-                  static_cast<GifByteType>((c >> 2 & 3) * 85),
-                  static_cast<GifByteType>((c & 3) * 85)};
+  const std::vector<GifColorType> palette = palette_of(bits);
   gif_.reset(EGifOpen(this, write_bytes, nullptr));
   if (!gif_) throw OutputError(path, "giflib has no memory");
   EGifSetGifVersion(gif_.get(), true);
-  ColorMapObject* map = GifMakeMapObject(Colours, palette);
-  const bool begun = EGifPutScreenDesc(gif_.get(), columns_, rows_, ColourBits, 0, map) == GIF_OK;
+  ColorMapObject* map = GifMakeMapObject(static_cast<int>(palette.size()), palette.data());
+  const bool begun =
+      EGifPutScreenDesc(gif_.get(), columns_, rows_, map->BitsPerPixel, 0, map) == GIF_OK;
   GifFreeMapObject(map);
   check(begun);
   const unsigned char for_ever[3] = {1, 0, 0};
@@ -77,15 +111,18 @@ long GifWriter::due(long frame) const { return std::lround(100.0 * frame / rate_
 
 // A picture waits until its end is known. It gives way to one that is due when it would begin.
 void GifWriter::add(const std::vector<std::uint8_t>& colours, int after) {
-  if (colours.size() != static_cast<std::size_t>(width_) * height_)
+  const std::size_t bytes = PackedPicture::bytes_of(bits_);
+  if (colours.size() != static_cast<std::size_t>(width_) * height_ * bytes)
     throw std::invalid_argument("GIF: the frame has another size");
   if (waiting_) frame_ += after;
   if (waiting_ && due(frame_) > begin_) write(due(frame_));
   waiting_ = true;
   for (int y = 0; y < rows_; ++y)
     for (int x = 0; x < columns_; ++x) {
-      const std::size_t from = (static_cast<std::size_t>(y) * width_ + x) * downscale_;
-      next_[static_cast<std::size_t>(y) * columns_ + x] = colours[from] & (Colours - 1);
+      const std::size_t from = (static_cast<std::size_t>(y) * width_ + x) * downscale_ * bytes;
+      std::uint32_t colour = 0;
+      for (std::size_t n = bytes; n-- > 0;) colour = colour << 8 | colours[from + n];
+      next_[static_cast<std::size_t>(y) * columns_ + x] = index_of(colour, bits_);
     }
 }
 

@@ -1,8 +1,9 @@
-// GifWriter: an animated GIF that keeps the chip's 64 colours exactly.
+// GifWriter: an animated GIF that keeps the 64 colours of two bits a channel exactly.
 //
 // OpenImageIO's own GIF writer makes a palette of its own for each frame and dithers into it, which
 // changes pixels even in frames of two to four colours; it also has no way to turn that off, and
 // does not notice a full disk. giflib writes what it is given: one fixed palette of 64 colours.
+// Deeper pictures get the nearest of 252: six levels of red and blue, seven of green.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -25,13 +26,13 @@ class GifWriter {
   /// Frames of `width` x `height` pixels, shown at `frames_per_second`, for ever. GIF counts in
   /// 1/100 s, and viewers slow down pictures shorter than two of them: each frame begins within
   /// 1/100 s of its time, and of more than 50 a second some are left out, one of six at 60. Of each
-  /// `downscale` x `downscale` pixels the top left one is kept. Throws OutputError and
-  /// std::invalid_argument.
+  /// `downscale` x `downscale` pixels the top left one is kept. `bits`: of the frames' channels.
+  /// Throws OutputError and std::invalid_argument.
   GifWriter(const std::string& path, int width, int height, double frames_per_second,
-            int downscale = 1);
+            int downscale = 1, int bits = 2);
 
-  /// Adds a frame of width * height colours, r * 16 + g * 4 + b, so many frames after the one
-  /// before; the first begins the GIF. Throws OutputError.
+  /// Adds a frame of width * height colours, as PackedPicture has them, so many frames after the
+  /// one before; the first begins the GIF. Throws OutputError.
   void add(const std::vector<std::uint8_t>& colours, int after = 1);
 
   /// Ends the file a frame after the last one and gives it its name; without it nothing is left.
@@ -57,11 +58,11 @@ class GifWriter {
     void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
   };
   std::unique_ptr<GifFileType, Closer> gif_;
-  const int width_, height_, downscale_;  // of the frames given
-  const int columns_, rows_;              // of the file
-  const double rate_;                     // frames a second
-  long frame_ = 0;                        // that waits
-  long begin_ = 0;                        // of its picture, 1/100 s
+  const int width_, height_, downscale_, bits_;  // of the frames given
+  const int columns_, rows_;                     // of the file
+  const double rate_;                            // frames a second
+  long frame_ = 0;                               // that waits
+  long begin_ = 0;                               // of its picture, 1/100 s
   bool waiting_ = false;
   int pictures_ = 0;                        // written
   std::vector<std::uint8_t> shown_, next_;  // columns x rows: written last, waiting

@@ -56,6 +56,11 @@ std::string picture_bytes(const PictureFormat& format, const RgbImage& picture) 
   return bytes;
 }
 
+std::string picture_bytes(const PictureFormat& format, const PackedPicture& picture) {
+  return picture.bits == 2 ? picture_bytes(format, picture.colours, picture.width, picture.height)
+                           : picture_bytes(format, RgbImage(picture));
+}
+
 std::string picture_bytes(const PictureFormat& format, const std::vector<std::uint8_t>& colours,
                           int width, int height) {
   return format.writer ? picture_bytes(format, RgbImage(colours, width, height, width, height))

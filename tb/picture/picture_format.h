@@ -30,6 +30,8 @@ const PictureFormat* format_of_file(const std::string& path);
 
 /// A picture file's bytes. Throws MissingTool if OpenImageIO is not there or cannot write this.
 std::string picture_bytes(const PictureFormat& format, const RgbImage& picture);
+/// The same of any depth. Throws std::invalid_argument if it is not whole.
+std::string picture_bytes(const PictureFormat& format, const PackedPicture& picture);
 /// width * height colours of the chip.
 std::string picture_bytes(const PictureFormat& format, const std::vector<std::uint8_t>& colours,
                           int width, int height);

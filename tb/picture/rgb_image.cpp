@@ -3,6 +3,7 @@
 #include "tb/picture/rgb_image.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "tb/picture/pixel_font.h"
 
@@ -26,6 +27,13 @@ RgbImage::RgbImage(const std::vector<std::uint8_t>& colours, int columns, int ro
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x)
       pixels_[static_cast<std::size_t>(y) * width + x] = rgb_of(colours[y * columns + x]);
+}
+
+RgbImage::RgbImage(const PackedPicture& picture) : RgbImage(picture.width, picture.height) {
+  if (!picture.whole())
+    throw std::invalid_argument("picture: the number of colours is not width * height");
+  for (std::size_t n = 0; n < pixels_.size(); ++n)
+    pixels_[n] = rgb_of(picture.colour(n), picture.bits);
 }
 
 RgbImage RgbImage::top(int width, int height) const {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tb/base/packed_picture.h"
+
 namespace racebeam {
 
 struct Rgb {
@@ -23,6 +25,15 @@ constexpr Rgb rgb_of(int colour) {
           static_cast<std::uint8_t>((colour & 3) * 85)};
 }
 
+/// A colour of `bits` a channel, red above green above blue: to the nearest of 255 steps.
+constexpr Rgb rgb_of(std::uint32_t colour, int bits) {
+  const std::uint32_t most = (1u << bits) - 1;
+  const auto channel = [=](int above) {
+    return static_cast<std::uint8_t>(((colour >> above & most) * 255 + most / 2) / most);
+  };
+  return {channel(2 * bits), channel(bits), channel(0)};
+}
+
 /// `share` of `b`, 0..1, the rest of `a`.
 Rgb mix(Rgb a, Rgb b, double share);
 
@@ -31,6 +42,8 @@ class RgbImage {
   RgbImage(int width, int height, Rgb paper = {0, 0, 0});
   /// A picture of columns x rows of the chip's colours, at the top left of a larger black one.
   RgbImage(const std::vector<std::uint8_t>& colours, int columns, int rows, int width, int height);
+  /// A picture of any depth. Throws std::invalid_argument if it is not whole.
+  explicit RgbImage(const PackedPicture& picture);
 
   /// Its top left part.
   RgbImage top(int width, int height) const;

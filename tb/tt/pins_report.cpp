@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* Row = "{:>5}  {:>7}  {:>14}";
 constexpr const char* PinRow = "{:<7} {:<6} {:>12} {:>8} {:>8}\n";
-constexpr const char* TinyVga[] = {"R1", "G1", "B1", "vsync", "R0", "G0", "B0", "hsync"};
+constexpr const char* VgaPinNames[] = {"R1", "G1", "B1", "vsync", "R0", "G0", "B0", "hsync"};
 
 std::string pin_name(int pin) { return fmt::format("{}[{}]", pin < 8 ? "uo" : "uio", pin % 8); }
 
@@ -133,7 +133,7 @@ std::string PinsReport::table_pins() const {
   };
   std::string text = fmt::format(PinRow, "pin", "", "toggles", "high", "enabled");
   for (int pin = 0; pin < PinStats::Pins; ++pin)
-    text += fmt::format(PinRow, pin_name(pin), pin < 8 ? TinyVga[pin] : "", total_.toggles[pin],
+    text += fmt::format(PinRow, pin_name(pin), pin < 8 ? VgaPinNames[pin] : "", total_.toggles[pin],
                         percent(total_.high[pin]), percent(total_.enabled[pin]));
   return text;
 }
