@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sc/base/frame_counts.h"
+#include "sc/base/knob_values.h"
 #include "sc/base/unit_choices.h"
 
 namespace sc_core {
@@ -19,7 +20,6 @@ class sc_module;
 namespace racebeam {
 
 class wired_chip;
-struct knobs;
 struct rtl_parameter;
 
 /// What a scene file becomes in the memories of an engine: each has a kind of its own.
@@ -31,7 +31,7 @@ struct unit_row {
   const char* slot;  ///< its place in the chip: the name of the unit that usually has it
   use shows;
   /// The model; `scene` is not looked at by units that show any chip.
-  std::unique_ptr<sc_core::sc_module> (*make)(const char* instance, const knobs& k,
+  std::unique_ptr<sc_core::sc_module> (*make)(const char* instance, const knob_values& k,
                                               const scene_tables* scene);
 
   std::string instance() const { return std::string("u_") + slot; }
@@ -43,22 +43,40 @@ struct state_row {
   std::vector<std::string> words;
 };
 
+/// How a chip clocks the VGA raster.
+struct video_clocks {
+  int clocks_per_pixel;
+  int speed = 0;  ///< input pins that make pixels shorter
+};
+
 struct engine {
   const char* name;
+  const char* meaning;              ///< "interval tracer that races the beam"
   std::vector<const char*> levels;  ///< "tlm", "signal": the first one if nobody says
   const char* top;                  ///< all units wired in RTL: beside the chip only, in lockstep
+  /// A picture is a frame of the raster. Else it takes as many clocks as it takes, and frames show
+  /// what is in a store.
+  bool races_beam;
   const std::vector<unit_row>& units;  ///< in the order of the datapath
+  const std::vector<knob_row>& knobs;
   std::vector<counter_info> counters;
   std::vector<histogram_info> histograms;
   std::vector<line_info> lines;
   std::vector<state_row> states;
-  /// `scene`: nullptr is the built-in demo; it outlives the chip and fits the knobs. Throws
-  /// RtlError.
-  std::unique_ptr<wired_chip> (*make_signal)(const char* name, const knobs& k,
+  /// The knobs of the chip as it was built, with what a scene asks for. Here and below: `scene`
+  /// nullptr is the built-in demo.
+  knob_values (*standard)(const scene_tables* scene);
+  /// Knobs that others bound get the value that counts; what is to be told of it, or "".
+  std::string (*settle)(knob_values& k);
+  /// Knobs that a scene cannot be run with: what is wrong and what to do; or "".
+  std::string (*objection)(const knob_values& k, const scene_tables* scene);
+  video_clocks (*video)(const knob_values& k);
+  /// `scene` outlives the chip and fits the knobs. Throws RtlError.
+  std::unique_ptr<wired_chip> (*make_signal)(const char* name, const knob_values& k,
                                              const scene_tables* scene,
                                              const unit_choices& choices);
   /// The knobs as the RTL of its units knows them.
-  std::vector<rtl_parameter> (*parameters)(const knobs& k);
+  std::vector<rtl_parameter> (*parameters)(const knob_values& k);
 
   /// The units of a chip that shows the built-in demo, or a scene file.
   std::vector<std::string> unit_names(bool scene_file) const;

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace racebeam {
+#include "sc/base/knob_values.h"
 
-struct knobs;
+namespace racebeam {
 
 /// A number of a frame.
 struct counter_info {
@@ -24,10 +24,10 @@ struct counter_info {
 /// How many clocks, or other things, of a frame had each value 0, 1, ...
 struct histogram_info {
   const char* name;
-  int knobs::*most;  ///< the largest value that can be; nullptr: `limit`
+  const char* most;  ///< the knob that is the largest value that can be; nullptr: `limit`
   int limit = 0;
 
-  int largest(const knobs& k) const { return most ? k.*most : limit; }
+  int largest(const knob_values& k) const { return most ? k.of(most) : limit; }
 };
 
 /// A clock of each visible line, or another number of it; -1: it never came.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/beam/counters.h"
 
-#include "sc/beam/knobs.h"
-
 namespace racebeam {
 
 const std::vector<counter_row>& counter_table() {
@@ -33,8 +31,8 @@ const std::vector<counter_row>& counter_table() {
 
 const std::vector<histogram_row>& histogram_table() {
   static const std::vector<histogram_row> table = {
-      {{"fifo_fill", &knobs::fifo_entries}, &frame_stats::fifo_fill},
-      {{"stack_depth", &knobs::interval_stack_depth}, &frame_stats::stack_depth},
+      {{"fifo_fill", "fifo_entries"}, &frame_stats::fifo_fill},
+      {{"stack_depth", "interval_stack_depth"}, &frame_stats::stack_depth},
       {{"walk_steps", nullptr, 10}, &frame_stats::walk_steps},
       {{"slack", nullptr, 64}, &frame_stats::slack},
   };

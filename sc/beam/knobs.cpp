@@ -9,19 +9,33 @@
 
 namespace racebeam {
 
-std::string knob_info::text(int value) const {
-  return names.empty() ? std::to_string(value) : names.at(value - min);
+namespace {
+
+/// As knob_info, with the member where it is read best.
+struct table_row {
+  const char* name;
+  int knobs::*member;
+  int min, max;
+  std::vector<std::string> names;
+  const char *unit, *meaning, *source;
+  bool of_scene = false;
+  const char* model_of = "";
+
+  knob_info info() const {
+    return {{name, min, max, names, unit, meaning, source, of_scene, model_of}, member};
+  }
+};
+
+std::vector<knob_info> infos_of(const table_row* begin, const table_row* end) {
+  std::vector<knob_info> infos;
+  for (const table_row* row = begin; row != end; ++row) infos.push_back(row->info());
+  return infos;
 }
 
-std::string knob_info::range() const {
-  if (names.empty()) return std::to_string(min) + ".." + std::to_string(max);
-  std::string all;
-  for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
+}  // namespace
 
 const std::vector<knob_info>& knob_table() {
-  static const knob_info rows[] = {
+  static const table_row rows[] = {
       {"interval_stack_depth",
        &knobs::interval_stack_depth,
        1,
@@ -237,9 +251,17 @@ const std::vector<knob_info>& knob_table() {
        true},
   };
   static_assert(std::size(rows) * sizeof(int) == sizeof(knobs), "a knob has no row");
-  static const std::vector<knob_info> table(std::begin(rows), std::end(rows));
+  static const std::vector<knob_info> table = infos_of(std::begin(rows), std::end(rows));
   return table;
 }
+
+const std::vector<knob_row>& knob_rows() {
+  static const std::vector<knob_row> rows = rows_of(knob_table());
+  return rows;
+}
+
+knobs::knobs(const knob_values& values) { put_values(knob_table(), knob_rows(), values, *this); }
+knobs::operator knob_values() const { return values_of(knob_table(), knob_rows(), *this); }
 
 bool operator==(const knobs& a, const knobs& b) {
   const auto& rows = knob_table();

@@ -7,8 +7,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "sc/base/knob_values.h"
 
 namespace racebeam {
 
@@ -48,6 +49,11 @@ struct knobs {
   int free_flight = 0;
   int portals_per_face = 1;
 
+  knobs() = default;
+  /// Throws std::logic_error if they are another engine's.
+  knobs(const knob_values& values);  // NOLINT(google-explicit-constructor)
+  operator knob_values() const;      // NOLINT(google-explicit-constructor)
+
   /// Fraction bits of dr2, and of dr1.
   int dr2_fraction() const { return stepping == SteppingJumper ? 0 : stepping_fraction_bits; }
   int dr1_fraction() const { return stepping == SteppingFraction ? stepping_fraction_bits : 0; }
@@ -61,25 +67,13 @@ struct knobs {
 bool operator==(const knobs& a, const knobs& b);
 inline bool operator!=(const knobs& a, const knobs& b) { return !(a == b); }
 
-/// One row of the knob table.
-struct knob_info {
-  const char* name;
-  int knobs::*member;
-  int min, max;
-  std::vector<std::string> names;  ///< names of the values min..max, if they are names
-  const char* unit;
-  const char* meaning;
-  const char* source;
-  bool of_scene = false;      ///< a scene file sets it, and nobody else
-  const char* model_of = "";  ///< unit of which only the model has other values than the chip's
-
-  /// "4", or the name of the value where values have names.
-  std::string text(int value) const;
-  /// "1..64", or the names.
-  std::string range() const;
-};
+/// A row of the table. The struct and its knob_values are the same knobs, and become each other
+/// without a word.
+using knob_info = knob_of<knobs>;
 
 /// All knobs: a member without a row does not compile. Those of scene files come last.
 const std::vector<knob_info>& knob_table();
+/// The same for what works with any engine.
+const std::vector<knob_row>& knob_rows();
 
 }  // namespace racebeam

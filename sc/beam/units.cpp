@@ -13,8 +13,9 @@ namespace racebeam {
 namespace {
 
 template <class Unit>
-std::unique_ptr<sc_core::sc_module> make(const char* instance, const knobs& k,
+std::unique_ptr<sc_core::sc_module> make(const char* instance, const knob_values& values,
                                          const scene_tables* scene) {
+  const knobs k = values;
   const auto* program = static_cast<const scene_program*>(scene);
   if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const scene_program&>)
     return std::make_unique<Unit>(instance, k, *program);
@@ -26,9 +27,10 @@ std::unique_ptr<sc_core::sc_module> make(const char* instance, const knobs& k,
 }
 
 template <>
-std::unique_ptr<sc_core::sc_module> make<vga_timing>(const char* instance, const knobs& k,
+std::unique_ptr<sc_core::sc_module> make<vga_timing>(const char* instance,
+                                                     const knob_values& values,
                                                      const scene_tables*) {
-  return std::make_unique<vga_timing>(instance, k.clocks_per_pixel);
+  return std::make_unique<vga_timing>(instance, knobs(values).clocks_per_pixel);
 }
 
 template <class Unit, class Slot = Unit>

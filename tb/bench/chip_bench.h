@@ -1,4 +1,5 @@
-// ChipBench: the chip on the bench at some level, frame by frame.
+// ChipBench: a chip of any engine on the bench at some level, frame by frame; a chip that does not
+// race the beam, picture by picture.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -16,14 +17,21 @@
 
 namespace racebeam {
 
+/// What an engine that does not race the beam took for a picture.
+struct PictureTime {
+  std::uint64_t clocks = 0;  ///< from its start to its end
+  std::uint64_t frames = 0;  ///< of the raster that began meanwhile
+};
+
 /// One simulation of the demo or a program. SystemC elaborates once: one bench per process.
 class ChipBench {
  public:
   struct Frame {
-    int number;  ///< value of the frame counter while its lines are shown
+    int number;  ///< value of the frame counter while its lines are shown; or of a picture
     VgaFrame picture;
     std::optional<frame_counts> stats;       ///< if they were asked for
     std::vector<IntervalEvent> intervals{};  ///< if they were asked for
+    PictureTime time{};                      ///< of an engine that does not race the beam
   };
 
   virtual ~ChipBench() = default;

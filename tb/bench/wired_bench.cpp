@@ -13,6 +13,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/simulate.h"
 #include "tb/monitor/pin_probe.h"
+#include "tb/twin/engine_raster.h"
 
 namespace racebeam {
 
@@ -76,8 +77,8 @@ struct WiredBench::Platform {
   Platform(const Setting& s, const Watches& w)
       : setting(s),
         watches(w),
-        period(clock_period_ps(s.k.clocks_per_pixel), sc_core::SC_PS),
-        raster(s.k.clocks_per_pixel, s.k.speed),
+        period(clock_period_ps(s.built.video(s.k).clocks_per_pixel), sc_core::SC_PS),
+        raster(raster_of(s.built, s.k)),
         clk("clk", period, 0.5, period),
         dut(s.built.make_signal("chip", s.k, s.scene, s.units)),
         vga(raster, [this](const VgaFrame& f) { picture = f; }, {w.crc, w.crc}),
@@ -217,7 +218,9 @@ std::vector<const Lockstep*> WiredBench::locksteps() const {
   return all;
 }
 
-int WiredBench::period_ps() const { return clock_period_ps(platform_->setting.k.clocks_per_pixel); }
+int WiredBench::period_ps() const {
+  return clock_period_ps(platform_->setting.built.video(platform_->setting.k).clocks_per_pixel);
+}
 
 std::uint64_t WiredBench::clocks() const { return platform_->clocks; }
 const SoundMonitor* WiredBench::sound() const { return platform_->sound.get(); }

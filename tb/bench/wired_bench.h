@@ -11,7 +11,6 @@
 
 #include "sc/base/engine.h"
 #include "sc/base/wired_chip.h"
-#include "sc/beam/knobs.h"
 #include "tb/bench/chip_bench.h"
 
 namespace racebeam {
@@ -21,7 +20,7 @@ class WiredBench : public ChipBench {
   /// What is built.
   struct Setting {
     const engine& built;
-    knobs k;
+    knob_values k;
     /// Instead of the built-in demo; outlives the bench and fits the knobs.
     const scene_tables* scene;
     int frames;            ///< of the show, which then starts again

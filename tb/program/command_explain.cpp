@@ -16,6 +16,7 @@
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/program/common_options.h"
+#include "tb/show/open_show.h"
 
 namespace racebeam {
 
@@ -57,6 +58,7 @@ struct Subject : Run {
 Subject subject_of(const ExplainOptions& options) {
   const Pixel pixel = pixel_of(options.pixel);
   Run run = open_run(options);
+  expect_rooms(run.show, "explain");
   const int last = run.show.frames() - 1;
   if (options.frame < 0 || options.frame > last)
     throw UsageError(fmt::format("--frame {} is out of range; 0..{}", options.frame, last));
@@ -119,7 +121,7 @@ void add_options(const CommandOptions& command, ExplainOptions& options) {
   command
       .add_option("--pixel", options.pixel, "Pixel of the picture: 0..639,0..479 from the top left")
       .type_name("X,Y");
-  add_set_option(command, options);
+  add_run_options(command, options);
   command.add_flag("--json", options.json, "JSON on stdout instead of the text");
   const CommandOption figure =
       command

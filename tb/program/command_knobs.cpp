@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "sc/beam/knobs.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
+#include "tb/program/common_options.h"
+#include "tb/scene/engines.h"
 #include "tb/show/knobs_json.h"
+#include "tb/show/open_show.h"
 
 namespace racebeam {
 
@@ -18,20 +20,17 @@ namespace {
 
 constexpr const char* Row = "{:<23} {:<8} {:<16} {:<8} {:<68} {}\n";
 
-std::string table() {
-  const knobs defaults;
+std::string table(const std::vector<knob_row>& rows) {
   std::string of_user, of_scene;
-  for (const knob_info& row : knob_table())
-    (row.of_scene ? of_scene : of_user) +=
-        fmt::format(Row, row.name, row.text(defaults.*row.member), row.range(), row.unit,
-                    row.meaning, row.source);
+  for (const knob_row& row : rows)
+    (row.of_scene ? of_scene : of_user) += fmt::format(
+        Row, row.name, row.text(row.standard), row.range(), row.unit, row.meaning, row.source);
   return fmt::format(Row, "knob", "default", "range", "unit", "meaning", "source") + of_user +
          "\nset by the scene file only:\n" + of_scene;
 }
 
-nlohmann::ordered_json json_of(const knob_info& row) {
-  nlohmann::ordered_json json = {{"name", row.name},
-                                 {"default", knob_json(row, knobs().*row.member)}};
+nlohmann::ordered_json json_of(const knob_row& row) {
+  nlohmann::ordered_json json = {{"name", row.name}, {"default", knob_json(row, row.standard)}};
   if (row.names.empty()) {
     json["min"] = row.min;
     json["max"] = row.max;
@@ -44,12 +43,13 @@ nlohmann::ordered_json json_of(const knob_info& row) {
   return json;
 }
 
-std::string json_table() {
+std::string json_table(const engine& one) {
   nlohmann::ordered_json all = {{"schema", "racebeam-knobs"},
                                 {"version", 1},
+                                {"engine", one.name},
                                 {"knobs", nlohmann::ordered_json::array()},
                                 {"scene_knobs", nlohmann::ordered_json::array()}};
-  for (const knob_info& row : knob_table())
+  for (const knob_row& row : one.knobs)
     all[row.of_scene ? "scene_knobs" : "knobs"].push_back(json_of(row));
   return all.dump(2) + "\n";
 }
@@ -57,13 +57,15 @@ std::string json_table() {
 }  // namespace
 
 int command_knobs(const KnobsOptions& options) {
-  print(options.json ? json_table() : table());
+  const engine& one = options.engine.empty() ? *engines().front() : engine_named(options.engine);
+  print(options.json ? json_table(one) : table(one.knobs));
   return ExitGood;
 }
 
 namespace {
 
 void add_options(const CommandOptions& command, KnobsOptions& options) {
+  add_engine_option(command, options.engine, "Of this engine");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

@@ -25,6 +25,7 @@ int command_scene_notes(const SceneOptions& options) {
   int frames = 0, done = 0;
   for (const std::string& scene : options.scenes) {
     shows.push_back(open_show(scene));
+    expect_rooms(shows.back(), "scene notes");
     settings.push_back(knobs_of(shows.back(), options.run.assignments));
     frames += std::min(options.frames, shows.back().frames());
   }

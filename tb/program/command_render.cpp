@@ -34,7 +34,7 @@ namespace {
 void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* sound,
                    RenderFiles& files, StatsReport& report, Against& against) {
   Progress progress(plan.frames.count());
-  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  const Raster raster = plan.raster();
   progress.draw(0, 0);
   if (!plan.json) print(table_header(plan.show.engine(), plan.crc, plan.compare));
   for (int i = 0; i < plan.frames.count() && !interrupted(); ++i) {
@@ -44,12 +44,15 @@ void render_frames(const RenderPlan& plan, FrameSequence& frames, SoundTrack* so
     if (sound) sound->play(frame->number);
     files.add(*frame, part);
     against.add(frame->number, frame->picture);
-    report.add(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden);
+    report.add(frame->number, part, frame->stats, frame->picture, plan.crc, frame->golden,
+               frame->time);
     progress.clear();
     if (!plan.json)
       print(table_row(plan.show.engine(), frame->number, part, frame->stats, frame->picture,
                       plan.crc, frame->golden));
-    progress.draw(i + 1, (i + 1LL) * raster.frame_clocks());
+    progress.draw(i + 1, plan.show.engine().races_beam
+                             ? (i + 1LL) * raster.frame_clocks()
+                             : static_cast<long long>(report.time().clocks));
   }
 }
 
@@ -62,7 +65,7 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
   std::vector<int> rendered;
   for (int i = 0; i <= frames && i < plan.frames.count(); ++i)
     rendered.push_back(plan.frames.number(i));
-  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  const Raster raster = plan.raster();
   bool differs = false;
   for (const Lockstep* unit : bench.locksteps()) {
     tell(fmt::format("{}: {} clocks compared, {} differ", unit->unit(), unit->clocks(),
@@ -151,7 +154,7 @@ void add_options(const CommandOptions& command, RenderOptions& options) {
                   "wired at 50.4 MHz (default with --use); both give the same")
       .type_name("LEVEL")
       .check(not_empty);
-  add_set_option(command, options);
+  add_run_options(command, options);
   command
       .add_option("--use", options.units,
                   "Put RTL in a unit's place: model, rtl, lockstep (both, compared), or a file; "

@@ -96,14 +96,14 @@ std::string table(const nlohmann::ordered_json& scene) {
 
 int command_scene_check(const SceneOptions& options) {
   std::string warnings;
-  const SceneFile scene = load_scene(options.file, &warnings);
+  const auto scene = load_any_scene(options.file, &warnings);
   std::fputs(warnings.c_str(), stderr);
-  print(fmt::format("good: {} rooms, {} portals\n", scene.rooms.size(), count_portals(scene)));
+  print("good: " + scene->counts() + "\n");
   return ExitGood;
 }
 
 int command_scene_show(const SceneOptions& options) {
-  const SceneFile scene = load_scene(options.file);
+  const SceneFile scene = load_scene(options.file, "scene show");
   const nlohmann::ordered_json json = summary(scene, options.run.assignments);
   using Json = nlohmann::ordered_json;
   print(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
@@ -115,7 +115,7 @@ int command_scene_plan(const SceneOptions& options) {
   const std::string kind = extension_of(options.picture);
   if (kind != ".png" && kind != ".svg")
     throw UsageError("scene plan writes .png or .svg; rename " + options.picture);
-  const SceneFile scene = load_scene(options.file);
+  const SceneFile scene = load_scene(options.file, "scene plan");
   const PlanDrawing plan = draw_plan(scene, kind == ".svg" ? PlanFormat::Svg : PlanFormat::Png);
   write_text(options.picture, plan.bytes);
   tell(fmt::format("wrote {}, {} x {} pixels: each storey from above, and all from the south",

@@ -12,6 +12,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/program/common_options.h"
+#include "tb/show/open_show.h"
 #include "tb/trace/beam_transaction_bench.h"
 #include "tb/trace/beam_trigger.h"
 #include "tb/trace/event_watch.h"
@@ -46,6 +47,7 @@ int draw(const TraceOptions& options) {
 std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWindowReader& reader,
                                      const Run& run, const Raster& raster) {
   if (!options.searches()) return reader.window(options.from, options.to);
+  expect_rooms(run.show, "--around");
   const TraceWindow where = options.searched(reader);
   const std::int64_t begin = TracePoint{where.from.frame, FirstLine, 0}.ordinal(raster);
   const int line = raster.line_clocks();
@@ -106,7 +108,7 @@ int command_trace(const TraceOptions& options) {
     throw UsageError(
         "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
   Run run = open_run(options);
-  const Raster raster(run.k.clocks_per_pixel, run.k.speed);
+  const Raster raster = run.raster();
   const TraceWindowReader reader(run.show.frames(), raster);
   reader.check(options.from, options.to);
   options.check(raster);
@@ -121,13 +123,14 @@ int command_trace(const TraceOptions& options) {
   }
   if (window && !options.picture.empty())
     check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
+  if (options.transactions()) expect_rooms(run.show, "trace --level tlm");
   if (options.transactions())
     return writer.write_frames(
         [&](VcdWriter& vcd) {
           return std::make_unique<TransactionBench>(run.k, run.show.program(), raster,
                                                     writer.selection, writer.part, vcd);
         },
-        raster, clock_period_ps(run.k.clocks_per_pixel), *window);
+        raster, clock_period_ps(run.show.engine().video(run.k).clocks_per_pixel), *window);
 
   use_units(run, options.units, true);
   if (options.awaits_mismatch() && !compares(run.units))
@@ -189,7 +192,7 @@ void add_options(const CommandOptions& command, TraceOptions& options) {
   number("--depth", options.depth, "Levels of the hierarchy, 1: the chip's own; 0: all")
       .capture_default_str();
   add_tt_options(command, options);
-  add_set_option(command, options);
+  add_run_options(command, options);
   list("--use", options.units, "UNIT=IMPLEMENTATION",
        "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
   command.add_option("--diff", options.diff, "Instead of a scene: compare two files")

@@ -62,12 +62,12 @@ std::string closer_text(const VerifyOptions& options, const std::string& unit, i
 /// All units at once, in the chip, over frames spread over the show, until each has differed or
 /// ended.
 std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show& show,
-                                        const knobs& k, const unit_choices& choices) {
+                                        const knob_values& k, const unit_choices& choices) {
   const auto start = std::chrono::steady_clock::now();
   WiredBench::Watches watches;
   watches.outlive_faults = true;
   WiredBench bench({show.engine(), k, show.tables(), show.frames(), choices}, watches);
-  const Raster raster(k.clocks_per_pixel, k.speed);
+  const Raster raster = raster_of(show.engine(), k);
   std::vector<int> frames;
   Progress progress(static_cast<int>(options.frames));
   for (int i = 0; i < options.frames && !interrupted() && !all_differ(bench); ++i) {
@@ -125,7 +125,7 @@ UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut,
 
 /// Each unit by itself: the walk of one that has a walk, and random traffic.
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
-                                          const knobs& k, const unit_choices& choices) {
+                                          const knob_values& k, const unit_choices& choices) {
   std::vector<UnitVerdict> verdicts;
   std::uint64_t all = 0, done = 0;  // clocks
   for (const auto& [unit, choice] : choices.by_unit)
@@ -226,7 +226,7 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
   add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
              is_number_in("--random", 0, MostRandomClocks))
       .capture_default_str();
-  add_set_option(command, options);
+  add_run_options(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
       .capture_default_str();

@@ -98,6 +98,7 @@ int command_view(const ViewOptions& options) {
     throw UsageError("scene is required, or --tt; `racebeam view --help` shows what it takes");
   const std::vector<std::string> keys = keys_to_press(options, false);
   const Run run = open_run(options);
+  expect_rooms(run.show, "view");
   Viewer::Options setting = viewer_options(options, run.show.frames());
   if (options.scene != BuiltIn) setting.scene_file = scene_path(options.scene);
   setting.demo_file = demo_file;
@@ -142,7 +143,7 @@ void add_options(const CommandOptions& command, ViewOptions& options) {
                   "own speed; tlm without --use")
       .type_name("LEVEL")
       .check(not_empty);
-  add_set_option(command, options);
+  add_run_options(command, options);
   command.add_option("--use", options.units, "Put RTL in a unit's place, as in render; repeatable")
       .type_name("UNIT=IMPLEMENTATION")
       .repeatable();

@@ -2,9 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/common_options.h"
 
+#include <fmt/format.h>
+
+#include "tb/scene/engines.h"
+
 namespace racebeam {
 
 std::string not_empty(const std::string& word) { return word.empty() ? "an empty name" : ""; }
+
+void add_engine_option(const CommandOptions& command, std::string& engine,
+                       const std::string& help) {
+  std::string names;
+  for (const racebeam::engine* one : engines())
+    names += fmt::format("; {}: {}", one->name, one->meaning);
+  command.add_option("--engine", engine, help + names).type_name("ENGINE").check(not_empty);
+}
+
+void add_run_options(const CommandOptions& command, RunOptions& options) {
+  add_engine_option(command, options.engine, "The scene must be for this engine");
+  add_set_option(command, options);
+}
 
 void add_set_option(const CommandOptions& command, RunOptions& options) {
   command.add_option("--set", options.assignments, "Set a knob (`racebeam knobs`); repeatable")

@@ -20,7 +20,12 @@ CommandOption add_number(const CommandOptions& command, const char* name, Number
   return command.add_option(name, to, help).type_name("N").check(number);
 }
 
-/// --set, of a command that runs the chip.
+/// --engine, with its help.
+void add_engine_option(const CommandOptions& command, std::string& engine, const std::string& help);
+
+/// --engine and --set, of a command that runs the chip.
+void add_run_options(const CommandOptions& command, RunOptions& options);
+/// --set alone, where scenes are of one engine.
 void add_set_option(const CommandOptions& command, RunOptions& options);
 
 /// The options of a Tiny Tapeout chip, of a command that can run one.

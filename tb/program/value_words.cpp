@@ -4,15 +4,15 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
-#include "sc/beam/knobs.h"
-#include "sc/beam/units.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/golden/golden_picture.h"
 #include "tb/program/command_bench.h"
 #include "tb/program/completion_script.h"
 #include "tb/render/render_options.h"
+#include "tb/scene/engines.h"
 #include "tb/show/level.h"
 #include "tb/show/open_show.h"
 #include "tb/trace/beam_trigger.h"
@@ -39,19 +39,24 @@ Words with(Words words, const std::string& more) {
 }
 
 Words units() {
-  return with(words_of(unit_table(), [](const unit_row& row) { return row.name; }), AllUnits);
+  Words names;
+  for (const engine* one : engines())
+    for (const unit_row& row : one->units) names.emplace_back(row.name);
+  return with(names, AllUnits);
 }
 
 Words knob_names() {
-  Words names;
-  for (const knob_info& row : knob_table())
-    if (!row.of_scene) names.emplace_back(row.name);
-  return names;
+  std::set<std::string> names;
+  for (const engine* one : engines())
+    for (const knob_row& row : one->knobs)
+      if (!row.of_scene) names.insert(row.name);
+  return {names.begin(), names.end()};
 }
 
 Words values_of_knob(const std::string& name) {
-  for (const knob_info& row : knob_table())
-    if (row.name == name) return row.names;
+  for (const engine* one : engines())
+    for (const knob_row& row : one->knobs)
+      if (row.name == name) return row.names;
   return {};
 }
 
@@ -69,7 +74,9 @@ Words assignments(const Words& names, const std::string& text,
 
 ValueWords own_rtl(const std::string& text) {
   if (text.find('=') != std::string::npos) return {{}, ValueWords::Files};
-  return only(with(units(), WholeChip));
+  Words words = units();
+  for (const engine* one : engines()) words.emplace_back(one->top);
+  return only(words);
 }
 
 ValueWords implementations(const std::string& text) {
@@ -101,6 +108,8 @@ const std::map<std::string, WordsOf>& table() {
       {"LEVEL", always([] {
          return Words{LevelTlm, LevelSignal};
        })},
+      {"ENGINE",
+       always([] { return words_of(engines(), [](const engine* one) { return one->name; }); })},
       {"MAP", maps},
       {"NAME",
        always([] { return words_of(figures(), [](const Figure& one) { return one.name; }); })},

@@ -12,9 +12,9 @@
 #include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
-#include "tb/twin/beam_twins.h"
 #include "tb/twin/random_traffic.h"
 #include "tb/twin/tune_walk.h"
+#include "tb/twin/twins.h"
 #include "tb/twin/unit_bench.h"
 
 namespace racebeam {
@@ -44,7 +44,7 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
   lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);
   const auto start = std::chrono::steady_clock::now();
-  RandomTraffic traffic(bench, beam_inputs(dut.k), seed);
+  RandomTraffic traffic(bench, twins_of(built).inputs(dut.k), seed);
   if (auto* counter = dynamic_cast<sequencer_pins*>(model.get()))
     traffic.at_episodes([&, counter](unsigned random) {
       const int frame = any_frame(dut, random);

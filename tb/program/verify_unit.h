@@ -11,7 +11,6 @@
 #include <string>
 
 #include "sc/base/engine.h"
-#include "sc/beam/knobs.h"
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_report.h"
 
@@ -40,7 +39,7 @@ struct UnitVerdict {
 /// A unit and what its twins are made for.
 struct UnitUnderTest {
   std::string unit, plugin;  ///< plugin: empty for the unit's own RTL
-  knobs k;
+  knob_values k;
   const scene_tables* scene;  ///< for units that show scene files
   int frames;                 ///< of the show
 };

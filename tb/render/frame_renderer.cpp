@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tb/bench/signal_bench.h"
-#include "tb/bench/tlm_bench.h"
+#include "tb/bench/benches.h"
 #include "tb/monitor/raster.h"
-#include "tb/show/level.h"
 #include "tb/view/map_picture.h"
 
 namespace racebeam {
@@ -15,21 +13,14 @@ namespace racebeam {
 namespace {
 
 std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
-  const bool maps = !plan.overlays.empty();
-  if (plan.level == LevelTlm)
-    return std::make_unique<TlmBench>(
-        TlmBench::Options{plan.k, true, plan.checksums(), sound, plan.show.program(), maps});
-  if (maps)
-    return std::make_unique<SignalBench>(SignalBench::Options{
-        plan.k, true, plan.checksums(), sound, plan.show.program(), plan.units, maps});
-  return std::make_unique<WiredBench>(
-      WiredBench::Setting{plan.show.engine(), plan.k, plan.show.tables(), plan.show.frames(),
-                          plan.units},
-      WiredBench::Watches{true, plan.checksums(), sound});
+  const engine& built = plan.show.engine();
+  return bench_of(built).make(plan.level,
+                              {built, plan.k, plan.show.tables(), plan.show.frames(), plan.units},
+                              {plan.checksums(), sound, !plan.overlays.empty()});
 }
 
 PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {
-  const Raster raster(plan.k.clocks_per_pixel, plan.k.speed);
+  const Raster raster = plan.raster();
   return picture_file(plan, std::string("overlay_") + map_name(kind), frame.number,
                       map_picture(make_map(kind, frame.intervals, raster),
                                   fmt::format("{} frame {}", plan.show.name(), frame.number)));
@@ -56,8 +47,7 @@ FrameRenderer::FrameRenderer(const RenderPlan& plan, bool sound)
     : plan_(plan), bench_(make_bench(plan, sound)) {
   if (!plan.vcd.empty())
     wave_ = std::make_unique<FrameWave>(dynamic_cast<WiredBench&>(*bench_), plan.show,
-                                        Raster(plan.k.clocks_per_pixel, plan.k.speed),
-                                        plan.frames.first(), plan.vcd);
+                                        plan.raster(), plan.frames.first(), plan.vcd);
 }
 
 void FrameRenderer::finish() {
@@ -67,7 +57,7 @@ void FrameRenderer::finish() {
 RenderedFrame FrameRenderer::render(int index) {
   bench_->seek(plan_.frames.number(index));
   const ChipBench::Frame frame = bench_->render();
-  RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}};
+  RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}, frame.time};
   if (plan_.pictures()) rendered.files.push_back(picture_file(plan_, frame.number, frame.picture));
   for (const MapKind kind : plan_.overlays)
     rendered.files.push_back(overlay_file(plan_, kind, frame));

@@ -67,10 +67,11 @@ void RenderFiles::add(const RenderedFrame& frame, const std::string& part) {
     gif_ = std::make_unique<GifWriter>(
         plan_.gif, width_, height_,
         std::max(plan_.frames_per_second / std::max(plan_.frames.every(), 1), SlowestGif),
-        plan_.gif_scale);
+        plan_.gif_scale, frame.picture.bits);
   if (gif_) gif_->add(frame.picture.colours);
   if (!plan_.sheet.empty())
-    sheet_.push_back({frame.picture.colours, fmt::format("{} {}", frame.number, part)});
+    sheet_.push_back(
+        {frame.picture.colours, fmt::format("{} {}", frame.number, part), frame.picture.bits});
 }
 
 void RenderFiles::add(int frame, const std::string& part, const VgaFrame& picture) {

@@ -13,9 +13,11 @@
 #include "tb/base/console.h"
 #include "tb/base/nearest.h"
 #include "tb/base/output_file.h"
+#include "tb/bench/benches.h"
 #include "tb/render/output_folder.h"
 #include "tb/render/picture_plan.h"
 #include "tb/render/unit_files.h"
+#include "tb/show/open_show.h"
 #include "tb/wave/wave_file.h"
 
 namespace racebeam {
@@ -117,6 +119,15 @@ void check_wave(const RenderPlan& plan) {
         "--every and --jobs, or --vcd");
 }
 
+// What not every engine has.
+void check_engine(const RenderOptions& options, const RenderPlan& plan) {
+  const engine& built = plan.show.engine();
+  if (!plan.overlays.empty() && !bench_of(built).intervals)
+    throw UsageError(
+        fmt::format("--overlay shows intervals; {} has none: leave out --overlay", built.name));
+  if (!options.golden.empty()) expect_rooms(plan.show, "--golden");
+}
+
 // What several processes cannot do.
 void check_jobs(const RenderPlan& plan) {
   if (plan.jobs == 1) return;
@@ -130,7 +141,10 @@ void check_jobs(const RenderPlan& plan) {
 void check_sound(const RenderPlan& plan) {
   if (!plan.wav.empty() && plan.tracer)
     throw UsageError("--wav needs the chip; leave out --golden, or --wav");
-  if (!plan.wav.empty() && plan.k.clocks_per_pixel != SoundClocksPerPixel)
+  const engine& built = plan.show.engine();
+  if (!plan.wav.empty() && !bench_of(built).sound)
+    throw UsageError(fmt::format("--wav: {} has no sound; leave out --wav", built.name));
+  if (!plan.wav.empty() && built.video(plan.k).clocks_per_pixel != SoundClocksPerPixel)
     throw UsageError(
         fmt::format("--wav needs clocks_per_pixel={}: the sound is clocked by the "
                     "beam; leave out --wav, or the knob",
@@ -232,6 +246,7 @@ RenderPlan plan_render(const RenderOptions& options) {
     throw UsageError("--use needs the chip; leave out --golden, or --use");
   if (plan.tracer && plan.against)
     throw UsageError("--against needs the chip; leave out --golden, or --against");
+  check_engine(options, plan);
   check_sound(plan);
   check_wave(plan);
   check_jobs(plan);

@@ -15,19 +15,22 @@ void each_field(Frame& frame, const Field& field) {
   field(frame.picture.index);
   field(frame.picture.width);
   field(frame.picture.height);
+  field(frame.picture.bits);
   field(frame.picture.colours);
   field(frame.picture.image_crc);
   field(frame.picture.pins_crc);
   field(frame.stats.counters);
   field(frame.stats.histograms);
   field(frame.stats.lines);
+  field(frame.time.clocks);
+  field(frame.time.frames);
 }
 
 }  // namespace
 
 PictureFile picture_file(const OutputPlan& plan, int frame, const VgaFrame& picture) {
   return {plan.picture.empty() ? plan.file_name("frame", frame) : plan.picture,
-          picture_bytes(*plan.format, picture.colours, picture.width, picture.height)};
+          picture_bytes(*plan.format, picture)};
 }
 
 PictureFile picture_file(const OutputPlan& plan, const std::string& kind, int frame,

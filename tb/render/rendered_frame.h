@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sc/base/frame_counts.h"
+#include "tb/bench/chip_bench.h"
 #include "tb/judge/golden_compare.h"
 #include "tb/monitor/vga_monitor.h"
 #include "tb/picture/rgb_image.h"
@@ -27,6 +28,7 @@ struct RenderedFrame {
   frame_counts stats;
   std::optional<GoldenCounts> golden;  ///< if it was compared
   std::vector<PictureFile> files;
+  PictureTime time{};  ///< of an engine that does not race the beam
 
   std::string bytes() const;
   static RenderedFrame of_bytes(const std::string& bytes);

@@ -49,7 +49,7 @@ void LineSpread::add(int frame, const std::vector<int>& lines) {
 }
 
 Json counts_json(const std::vector<counter_info>& counters,
-                 const std::vector<histogram_info>& histograms, const knobs& k,
+                 const std::vector<histogram_info>& histograms, const knob_values& k,
                  const frame_counts& counts) {
   Json json = Json::object();
   for (std::size_t n = 0; n < counts.counters.size(); ++n)

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sc/base/frame_counts.h"
-#include "sc/beam/knobs.h"
 #include "tb/base/spread.h"
 
 namespace racebeam {
@@ -26,8 +25,8 @@ struct LineSpread {
 
 /// Counters by their names, then histograms by theirs: the values that can be.
 nlohmann::ordered_json counts_json(const std::vector<counter_info>& counters,
-                                   const std::vector<histogram_info>& histograms, const knobs& k,
-                                   const frame_counts& counts);
+                                   const std::vector<histogram_info>& histograms,
+                                   const knob_values& k, const frame_counts& counts);
 
 /// Spreads over lines by their names: {min, mean, max, sum, ...}, or null. Of several frames, if
 /// `whole_run`.

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/beam/knobs.h"
+#include "sc/base/knob_values.h"
 
 namespace racebeam {
 
@@ -29,7 +29,7 @@ struct Manifest {
   std::string scene;       ///< or the folder of a project
   std::string scene_hash;  ///< of what was rendered
   std::string level;
-  std::optional<knobs> k;                     ///< of this project's chip
+  std::optional<knob_values> k;               ///< of this project's chip
   std::map<std::string, ManifestUnit> units;  ///< those that are not models
   std::map<std::string, std::string> inputs;  ///< pins of a project's chip
   std::vector<std::string> command;           ///< command line, program name first

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tb/scene/scene_file.h"
+#include "tb/scene/place.h"
 
 namespace racebeam {
 

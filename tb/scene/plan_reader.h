@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tb/scene/scene_file.h"
 #include "tb/scene/toml_tree.h"
 
 namespace racebeam {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/scene/scene_file.h"
 #include "tb/scene/toml_tree.h"
 
 namespace racebeam {

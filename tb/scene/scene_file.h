@@ -1,4 +1,5 @@
-// SceneFile: a scene as its author wrote it, after reading: rooms, portals, camera, look, timeline.
+// SceneFile: a scene of the interval tracer as its author wrote it, after reading: rooms, portals,
+// camera, look, timeline.
 //
 // Axes as on the chip: x east, y down, z north; the camera looks north at yaw 0. Units are the
 // chip's: a pillar of its first scene is 256 wide.
@@ -12,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/scene/engines.h"
+#include "tb/scene/place.h"
 
 namespace racebeam {
 
@@ -34,11 +35,6 @@ enum Face { East, West, Down, Up, North, South };
 const char* face_name(int face);
 inline int face_axis(int face) { return face / 2; }
 inline int opposite(int face) { return face ^ 1; }
-
-/// Where in the file something was written; from 1, 0: nowhere.
-struct Place {
-  int line = 0, column = 0;
-};
 
 struct Room {
   std::string id;
@@ -103,8 +99,7 @@ struct Shot {
 
 struct SceneFile {
   std::string name;
-  const racebeam::engine* engine = engines().front();  ///< what shows it
-  int frames = 0;                                      ///< length of the timeline
+  int frames = 0;           ///< length of the timeline
   int corner_bits = 0;      ///< as the author wants it; 0: as many as needed
   bool wrap = false;        ///< far corners may exceed corner_bits, as on the chip
   bool overlap = false;     ///< rooms may overlap and portals may lead anywhere

@@ -21,9 +21,8 @@ namespace {
 void read_top(const TomlNode& root, SceneFile& scene, Faults& faults) {
   const TableReader top(root, "", faults);
   top.read("name", scene.name);
-  std::vector<std::string> names;
-  for (const engine* one : engines()) names.emplace_back(one->name);
-  if (int number = 0; top.read_choice("engine", names, number)) scene.engine = engines()[number];
+  int only = 0;  // scene_kinds.h chooses
+  top.read_choice("engine", {"beam"}, only);
   top.read("frames", 1, MaxFrames, scene.frames, FrameBitsHelp);
   top.read("corner_bits", MinCornerBits, MaxCornerBits, scene.corner_bits);
   top.read("wrap", scene.wrap);
@@ -43,28 +42,33 @@ void check_count(const SceneFile& scene, int faults_before, Faults& faults) {
 
 }  // namespace
 
-SceneResult read_scene(std::string_view text, const std::string& name) {
-  SceneResult result;
-  SceneFile& scene = result.scene;
-  Faults& faults = result.faults;
+SceneFile read_scene_tree(const TomlNode& root, std::string_view text, const std::string& name,
+                          Faults& faults) {
+  SceneFile scene;
   scene.name = name;
-  const std::optional<TomlNode> root = parse_toml(text, faults);
-  if (!root) return result;
-  read_top(*root, scene, faults);
+  read_top(root, scene, faults);
   const int faults_before = faults.count();
-  if (const TomlNode* plan = root->find("plan")) read_plans(*plan, text, scene.rooms, faults);
+  if (const TomlNode* plan = root.find("plan")) read_plans(*plan, text, scene.rooms, faults);
   std::vector<NamedPortal> portals;
   std::vector<std::string> faulty;
-  if (const TomlNode* rooms = root->find("room"))
+  if (const TomlNode* rooms = root.find("room"))
     read_rooms(*rooms, scene.rooms, portals, faulty, faults);
   check_count(scene, faults_before, faults);
   const std::map<std::string, int> numbers = room_numbers(scene.rooms, faulty, faults);
   connect_named(portals, numbers, scene.overlap, scene.rooms, faults);
   if (scene.rooms.size() <= MaxRooms) check_rooms(scene, faults);
-  read_shots(*root, numbers, scene, faults);
-  if (!faults.none()) return result;
+  read_shots(root, numbers, scene, faults);
+  if (!faults.none()) return scene;
   check_views(scene, faults);
   warn_of_lost_rooms(scene, faults);
+  return scene;
+}
+
+SceneResult read_scene(std::string_view text, const std::string& name) {
+  SceneResult result;
+  if (const std::optional<TomlNode> root = parse_toml(text, result.faults))
+    result.scene = read_scene_tree(*root, text, name, result.faults);
+  else result.scene.name = name;
   return result;
 }
 

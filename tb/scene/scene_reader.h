@@ -1,4 +1,4 @@
-// Reads a scene file: all that is good in it, and all its faults at once.
+// Reads a scene file of the interval tracer: all that is good in it, and all its faults at once.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -18,7 +18,13 @@ struct SceneResult {
   std::string text{};  ///< of a file that could be read
 };
 
-/// Reads and checks a scene from its text. `name` is the scene's name if the text gives none.
+struct TomlNode;
+
+/// Reads and checks a scene of box rooms from the tree of its text. Usable only without faults.
+SceneFile read_scene_tree(const TomlNode& root, std::string_view text, const std::string& name,
+                          Faults& faults);
+
+/// The same from its text alone. `name` is the scene's name if the text gives none.
 SceneResult read_scene(std::string_view text, const std::string& name);
 
 /// The same from a file; a file that cannot be read is a fault too.

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "tb/scene/scene_file.h"
 #include "tb/scene/toml_tree.h"
 
 namespace racebeam {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/table_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "tb/base/nearest.h"
@@ -76,6 +78,27 @@ bool read_number(const TomlNode& node, const std::string& name, int low, int hig
     return false;
   }
   to = static_cast<int>(node.integer);
+  return true;
+}
+
+bool read_decimal(const TomlNode& node, const std::string& name, double low, double high,
+                  double& to, Faults& faults) {
+  const std::string range = fmt::format("{}..{}", low, high);
+  const bool whole = node.kind == TomlNode::Integer;
+  if (!whole && node.kind != TomlNode::Float) {
+    wrong_type(node, name, "a number " + range, faults);
+    return false;
+  }
+  const double number = whole ? static_cast<double>(node.integer) : node.number;
+  if (!std::isfinite(number)) {
+    faults.add(node.place, "'" + name + "' is not a finite number", "it must be in " + range);
+    return false;
+  }
+  if (number < low || number > high) {
+    faults.add(node.place, fmt::format("'{}' is {}", name, number), "it must be in " + range);
+    return false;
+  }
+  to = number;
   return true;
 }
 
@@ -172,6 +195,50 @@ bool TableReader::read(const std::string& key, int low, int high, Vector& to) co
     good = read_number(node->items[axis], key, low, high, read[axis], faults_) && good;
   if (good) to = read;
   return good;
+}
+
+bool TableReader::read(const std::string& key, double low, double high, double& to) const {
+  const TomlNode* node = find(key);
+  return node && read_decimal(*node, key, low, high, to, faults_);
+}
+
+bool TableReader::read(const std::string& key, double low, double high,
+                       std::array<double, 3>& to) const {
+  const TomlNode* node = find(key);
+  if (!node) return false;
+  if (node->kind != TomlNode::Array || node->items.size() != to.size()) {
+    wrong_type(*node, key, "three numbers, [x, y, z]", faults_);
+    return false;
+  }
+  std::array<double, 3> read = to;
+  bool good = true;
+  for (std::size_t axis = 0; axis < to.size(); ++axis)
+    good = read_decimal(node->items[axis], key, low, high, read[axis], faults_) && good;
+  if (good) to = read;
+  return good;
+}
+
+bool TableReader::read_rgb(const std::string& key, std::uint32_t& to) const {
+  constexpr std::size_t Digits = 6;
+  const TomlNode* node = find(key);
+  if (!node) return false;
+  if (node->kind != TomlNode::String) {
+    wrong_type(*node, key, "a colour, \"#ff8000\"", faults_);
+    return false;
+  }
+  const std::string& text = node->text;
+  std::uint32_t colour = 0;
+  if (text.size() == Digits + 1 && text[0] == '#') {
+    const auto [end, error] =
+        std::from_chars(text.data() + 1, text.data() + text.size(), colour, 16);
+    if (error == std::errc() && end == text.data() + text.size()) {
+      to = colour;
+      return true;
+    }
+  }
+  faults_.add(node->place, "'" + key + "' is " + quoted(text),
+              "write red, green and blue with two digits 0..f each: \"#ff8000\" is orange");
+  return false;
 }
 
 bool TableReader::read_choice(const std::string& key, const std::vector<std::string>& words,

@@ -7,9 +7,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tb/scene/scene_file.h"
 #include "tb/scene/scene_keys.h"
 #include "tb/scene/toml_tree.h"
 
@@ -33,6 +36,12 @@ class TableReader {
   bool read(const std::string& key, std::string& to, bool may_be_empty = false) const;
   /// Three whole numbers.
   bool read(const std::string& key, int low, int high, Vector& to) const;
+  /// A number, with a point or without.
+  bool read(const std::string& key, double low, double high, double& to) const;
+  /// Three of them.
+  bool read(const std::string& key, double low, double high, std::array<double, 3>& to) const;
+  /// "#rrggbb" as 0xrrggbb.
+  bool read_rgb(const std::string& key, std::uint32_t& to) const;
   /// The index of a word in `words`.
   bool read_choice(const std::string& key, const std::vector<std::string>& words, int& to) const;
   /// Four colours of three parts 0..3, as texts or as lists.
@@ -51,6 +60,9 @@ class TableReader {
 /// range in the help.
 bool read_number(const TomlNode& node, const std::string& name, int low, int high, int& to,
                  Faults& faults, const std::string& why = "");
+/// A number within a range, with a point or without, or a fault.
+bool read_decimal(const TomlNode& node, const std::string& name, double low, double high,
+                  double& to, Faults& faults);
 /// The index of a word in `words`, or a fault.
 bool read_word(const TomlNode& node, const std::string& name, const std::vector<std::string>& words,
                int& to, Faults& faults);

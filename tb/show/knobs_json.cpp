@@ -8,14 +8,14 @@ namespace racebeam {
 
 using Json = nlohmann::ordered_json;
 
-Json knob_json(const knob_info& row, int value) {
+Json knob_json(const knob_row& row, int value) {
   return row.names.empty() ? Json(value) : Json(row.text(value));
 }
 
-Json knobs_json(const knobs& k) {
+Json knobs_json(const knob_values& k) {
   Json json = Json::object();
-  for (const knob_info& row : knob_table())
-    if (!row.of_scene) json[row.name] = knob_json(row, k.*row.member);
+  for (std::size_t n = 0; n < k.rows().size(); ++n)
+    if (const knob_row& row = k.rows()[n]; !row.of_scene) json[row.name] = knob_json(row, k[n]);
   return json;
 }
 

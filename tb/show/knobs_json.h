@@ -6,15 +6,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "sc/beam/knobs.h"
+#include "sc/base/knob_values.h"
 
 namespace racebeam {
 
 /// {"interval_stack_depth": 4, "bisection": "pow2", ...}: numbers, or names where values have
 /// names. Without those that the scene file sets: the scene has them.
-nlohmann::ordered_json knobs_json(const knobs& k);
+nlohmann::ordered_json knobs_json(const knob_values& k);
 
 /// One value, as in knobs_json().
-nlohmann::ordered_json knob_json(const knob_info& row, int value);
+nlohmann::ordered_json knob_json(const knob_row& row, int value);
 
 }  // namespace racebeam

@@ -11,7 +11,8 @@
 #include "tb/base/counted.h"
 #include "tb/base/nearest.h"
 #include "tb/base/project_folder.h"
-#include "tb/scene/scene_reader.h"
+#include "tb/scene/engines.h"
+#include "tb/scene/scene_kinds.h"
 
 namespace racebeam {
 
@@ -37,11 +38,11 @@ std::vector<std::string> known_scenes(const fs::path& file) {
   return known;
 }
 
-SceneResult load(const std::string& scene) {
+AnySceneResult load(const std::string& scene) {
   const std::string file = scene_path(scene);
   std::error_code error;
   if (!fs::exists(file, error)) throw unknown_name("scene", scene, known_scenes(scene));
-  SceneResult result = read_scene_file(file);
+  AnySceneResult result = read_any_scene_file(file);
   if (result.faults.none()) return result;
   std::fputs(result.faults.text(file).c_str(), stderr);
   throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
@@ -72,21 +73,49 @@ std::string scene_path(const std::string& scene) {
   return scene;
 }
 
-SceneFile load_scene(const std::string& file, std::string* warnings) {
+std::shared_ptr<const AnyScene> load_any_scene(const std::string& file, std::string* warnings) {
   std::error_code error;
   if (file == BuiltIn && !fs::exists(file, error))
     throw UsageError(
         "demo is built into the chip and no file; its rooms and its flight as a scene file: "
         "scenes/demo.toml");
-  SceneResult result = load(file);
+  AnySceneResult result = load(file);
   if (warnings) *warnings = result.faults.warnings(file);
   return std::move(result.scene);
 }
 
+SceneFile load_scene(const std::string& file, const std::string& what) {
+  const Show show(load_any_scene(file), "");
+  expect_rooms(show, what);
+  return *show.scene();
+}
+
+void expect_rooms(const Show& show, const std::string& what) {
+  if (!show.of_rooms())
+    throw UsageError(what + " is for scenes of box rooms; " + show.name() + " is a scene for " +
+                     show.engine().name);
+}
+
 Show open_show(const std::string& scene) {
   if (scene == BuiltIn) return {};
-  SceneResult result = load(scene);
+  AnySceneResult result = load(scene);
   return {std::move(result.scene), content_hash(result.text)};
+}
+
+const engine& engine_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const engine* one : engines()) {
+    if (one->name == name) return *one;
+    known.emplace_back(one->name);
+  }
+  throw unknown_name("engine", name, known);
+}
+
+void expect_engine(const Show& show, const std::string& name) {
+  if (name.empty() || &engine_named(name) == &show.engine()) return;
+  const std::string own = show.engine().name;
+  throw UsageError(show.name() + " is a scene for " + own + "; --engine " + own +
+                   " or leave --engine out");
 }
 
 }  // namespace racebeam

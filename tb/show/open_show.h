@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,25 @@ std::vector<std::string> scene_names();
 /// scenes/house.toml. If there is neither, `scene` itself.
 std::string scene_path(const std::string& scene);
 
-/// Reads the scene_path() of `file`. Throws UsageError after all its faults are on stderr, or
-/// naming the nearest file. `warnings` gets the text of those that there are.
-SceneFile load_scene(const std::string& file, std::string* warnings = nullptr);
+/// Reads the scene_path() of `file`, a scene of any kind. Throws UsageError after all its faults
+/// are on stderr, or naming the nearest file. `warnings` gets the text of those that there are.
+std::shared_ptr<const AnyScene> load_any_scene(const std::string& file,
+                                               std::string* warnings = nullptr);
+/// The same of one of box rooms; another kind is refused. `what` needs it: "scene plan".
+SceneFile load_scene(const std::string& file, const std::string& what);
 
 /// "demo": the built-in demo; else a scene file, found by scene_path(). Throws UsageError as
-/// load_scene does.
+/// load_any_scene does.
 Show open_show(const std::string& scene);
+
+/// Throws UsageError if a show is not of box rooms, which `what` needs: "--golden".
+void expect_rooms(const Show& show, const std::string& what);
+
+/// Throws UsageError, which names the nearest one.
+const engine& engine_named(const std::string& name);
+
+/// Throws UsageError if a show is for another engine than that of this name, or there is none; an
+/// empty name is any.
+void expect_engine(const Show& show, const std::string& engine);
 
 }  // namespace racebeam

@@ -36,15 +36,16 @@ std::string RunOptions::set_text() const {
   return text;
 }
 
-knobs knobs_of(const Show& show, const std::vector<std::string>& assignments) {
-  knobs k = show.standard_knobs();
-  set_knobs(k, assignments);
+knob_values knobs_of(const Show& show, const std::vector<std::string>& assignments) {
+  knob_values k = show.standard_knobs();
+  set_knobs(show.engine(), k, assignments);
   if (const std::string why = show.objection(k); !why.empty()) throw UsageError(why);
   return k;
 }
 
 Run open_run(const RunOptions& options, bool wired) {
   const Show show = open_show(options.scene);
+  expect_engine(show, options.engine);
   return {show, level_of(options, show.engine(), wired), knobs_of(show, options.assignments)};
 }
 

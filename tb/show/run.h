@@ -10,12 +10,14 @@
 #include "sc/base/unit_choices.h"
 #include "tb/show/level.h"
 #include "tb/show/show.h"
+#include "tb/twin/engine_raster.h"
 
 namespace racebeam {
 
 /// As it was written.
 struct RunOptions {
   std::string scene;                     ///< demo, or a scene file
+  std::string engine;                    ///< that the scene must be for; empty: any
   std::string level;                     ///< empty: what the run needs
   std::vector<std::string> assignments;  ///< knob=value
   std::vector<std::string> units;        ///< unit=implementation
@@ -27,13 +29,15 @@ struct RunOptions {
 struct Run {
   Show show;
   std::string level;
-  knobs k;
+  knob_values k;
   unit_choices units{};
+
+  Raster raster() const { return raster_of(show.engine(), k); }
 };
 
 /// The knobs of a show, and of the command line. Throws UsageError, also if they do not go
 /// together.
-knobs knobs_of(const Show& show, const std::vector<std::string>& assignments);
+knob_values knobs_of(const Show& show, const std::vector<std::string>& assignments);
 
 /// All but the units. Without a level it is signal if there are units, or if the run is `wired` for
 /// another reason, else tlm. Throws UsageError.

@@ -7,12 +7,10 @@
 #include <memory>
 #include <string>
 
-#include "sc/base/engine.h"
-#include "sc/beam/scene_program.h"
 #include "tb/golden/golden_camera.h"
 #include "tb/golden/golden_world.h"
-#include "tb/scene/camera_path.h"
-#include "tb/scene/scene_file.h"
+#include "tb/scene/any_scene.h"
+#include "tb/scene/beam_scene.h"
 
 namespace racebeam {
 
@@ -21,6 +19,7 @@ class Show {
   /// The built-in demo.
   Show();
   /// A scene without faults. `hash` tells it from others of the same name.
+  Show(std::shared_ptr<const AnyScene> scene, std::string hash);
   Show(SceneFile scene, std::string hash);
 
   /// A chip of its own, of which nothing is known but its name.
@@ -31,23 +30,24 @@ class Show {
   const std::string& name() const { return name_; }
   /// What it was made of, for the manifest: "built-in", or a checksum of the file.
   const std::string& hash() const { return hash_; }
-  /// Frames 0..frames() - 1, then it starts again.
+  /// Frames, or pictures, 0..frames() - 1, then it starts again.
   int frames() const { return frames_; }
-  /// The tables for any chip; nullptr: the built-in demo. They live as long as some copy of this.
-  const scene_tables* tables() const { return program_.get(); }
-  /// The same for the chip of beam; nullptr: the built-in demo. They live as long as some copy of
-  /// this.
-  const scene_program* program() const { return program_.get(); }
-  /// What the tables were made from, and its camera's way; nullptr: the built-in demo.
-  const SceneFile* scene() const { return scene_.get(); }
-  const CameraPath* path() const { return path_.get(); }
-  /// The knobs of the taped-out chip, with the widths that the scene asks for.
-  knobs standard_knobs() const;
+  /// The tables for the chip; nullptr: the built-in demo. They live as long as some copy of this.
+  const scene_tables* tables() const { return scene_ ? &scene_->tables() : nullptr; }
+  /// The knobs of the chip as it was built, with what the scene asks for.
+  knob_values standard_knobs() const { return engine().standard(tables()); }
   /// Knobs that the show cannot be run with: what is wrong and what to do; empty if nothing.
-  std::string objection(const knobs& k) const;
+  std::string objection(const knob_values& k) const { return engine().objection(k, tables()); }
   /// What is shown in a frame, in a few words; of a chip of its own nothing.
   std::string part(int frame) const;
 
+  /// Whether it is of box rooms: then the following says what of.
+  bool of_rooms() const { return !scene_ || beam_; }
+  /// The same tables; nullptr: the built-in demo.
+  const scene_program* program() const { return beam_ ? &beam_->program : nullptr; }
+  /// What the tables were made from, and its camera's way; nullptr: the built-in demo.
+  const SceneFile* scene() const { return beam_ ? &beam_->file : nullptr; }
+  const CameraPath* path() const { return beam_ ? &beam_->path : nullptr; }
   GoldenWorld golden_world(int frame, const knobs& k) const;
   GoldenCamera golden_camera(int frame, const knobs& k) const;
 
@@ -56,9 +56,8 @@ class Show {
   std::string name_, hash_;
   int frames_;
   bool tile_ = false;
-  std::shared_ptr<const SceneFile> scene_;
-  std::shared_ptr<const CameraPath> path_;
-  std::shared_ptr<const scene_program> program_;
+  std::shared_ptr<const AnyScene> scene_;  // nullptr: the built-in demo
+  const BeamScene* beam_ = nullptr;        // the same, if it is one
 };
 
 }  // namespace racebeam

@@ -35,6 +35,7 @@ SweepNames sweep_names() {
 
 SweepScene open_scene(const std::string& name, const SweepFile& file, int& left_out) {
   SweepScene scene{name, open_show(name), {}};
+  expect_rooms(scene.show, "sweep");
   std::vector<int> allowed;
   for (int frame = 0; frame < scene.show.frames(); ++frame)
     if (!file.frames.skips(scene.show.part(frame))) allowed.push_back(frame);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "sc/base/constants.h"
+#include "tb/scene/engines.h"
 #include "tb/trace/chip_signals.h"
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_files.h"
@@ -73,10 +74,15 @@ void commit(TraceFiles& files, const LockstepDifference& d, std::uint64_t period
                 DifferingPort{scope_of_unit(d.unit), d.port}});
 }
 
+/// Of a clock, in picoseconds.
+int period_of(const LockstepDifference& d, const knob_values& k) {
+  return clock_period_ps(engine_of_unit(d.unit).video(k).clocks_per_pixel);
+}
+
 }  // namespace
 
 std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& frames,
-                             const knobs& k, const std::string& folder) {
+                             const knob_values& k, const std::string& folder) {
   const auto point = [&](std::size_t row) {
     const BeamPlace place = place_of(d.first_clock() + row, frames.numbers, frames.raster);
     return TracePoint{place.frame, place.line, place.clock};
@@ -90,7 +96,7 @@ std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& fr
   while (shown.last + 1 < d.history.size() && follows(shown.last + 1)) ++shown.last;
 
   const std::string path = path_of(d, "chip", folder);
-  const int period = clock_period_ps(k.clocks_per_pixel);
+  const int period = period_of(d, k);
   DifferenceRow row(d);
   VcdWriter vcd;
   SignalTrace trace(
@@ -110,9 +116,9 @@ std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& fr
 }
 
 std::string save_unit_window(const LockstepDifference& d, const std::string& traffic,
-                             const knobs& k, const std::string& folder) {
+                             const knob_values& k, const std::string& folder) {
   const std::string path = path_of(d, traffic, folder);
-  const auto period = static_cast<std::uint64_t>(clock_period_ps(k.clocks_per_pixel));
+  const auto period = static_cast<std::uint64_t>(period_of(d, k));
   DifferenceRow row(d);
   VcdWriter vcd;
   const int clk = vcd.add("chip", "clk_i", 1), count = vcd.add("chip", "clock", 64);

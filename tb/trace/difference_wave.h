@@ -27,10 +27,10 @@ struct DrivenFrames {
 /// Writes FOLDER/<unit>_chip.vcd and .gtkw, on the time axis of the frame: as far as the clocks
 /// belong to it or to frames beside it. Returns the name of the waveform. Throws OutputError.
 std::string save_chip_window(const LockstepDifference& difference, const DrivenFrames& frames,
-                             const knobs& k, const std::string& folder);
+                             const knob_values& k, const std::string& folder);
 
 /// The same of a unit alone, FOLDER/<unit>_<traffic>.vcd; time 0 is the first clock of the traffic.
 std::string save_unit_window(const LockstepDifference& difference, const std::string& traffic,
-                             const knobs& k, const std::string& folder);
+                             const knob_values& k, const std::string& folder);
 
 }  // namespace racebeam

@@ -8,11 +8,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "sc/beam/knob_parameters.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
-#include "tb/twin/beam_twins.h"
+#include "tb/twin/twins.h"
 #include "tb/verilate/rtl_warnings.h"
 #include "tb/verilate/source_list.h"
 
@@ -37,11 +36,12 @@ const std::vector<std::string>& own_implementations() {
   return words;
 }
 
-UseOption::UseOption(const engine& built, const knobs& k, const scene_tables* scene, bool traced)
+UseOption::UseOption(const engine& built, const knob_values& k, const scene_tables* scene,
+                     bool traced)
     : engine_(built),
       scene_file_(scene != nullptr),
-      wired_(!scene && without_pins(k) == knobs()),  // racebeam_top has no parameters
-      plugins_(beam_plugins(k, scene, traced)) {}
+      wired_(twins_of(built).is_top(k, scene)),
+      plugins_(twins_of(built).plugins(k, scene, traced)) {}
 
 void UseOption::check_unit(const std::string& unit) const {
   std::vector<std::string> known = engine_.unit_names(scene_file_);

@@ -9,8 +9,6 @@
 
 #include "sc/base/engine.h"
 #include "sc/base/unit_choices.h"
-#include "sc/beam/knobs.h"
-#include "sc/beam/scene_program.h"
 #include "tb/twin/plugin_maker.h"
 
 namespace racebeam {
@@ -25,7 +23,8 @@ class UseOption {
  public:
   /// A chip of `built` with the knobs `k` that shows `scene`; nullptr: the built-in demo.
   /// `traced`: signals inside the RTL can be read.
-  UseOption(const engine& built, const knobs& k, const scene_tables* scene, bool traced = false);
+  UseOption(const engine& built, const knob_values& k, const scene_tables* scene,
+            bool traced = false);
 
   /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
   /// "stacks=mine.f", "stacks=mine.so", or several with commas between; later ones replace earlier

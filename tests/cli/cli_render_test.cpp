@@ -148,7 +148,8 @@ TEST_F(CliRenderTest, StatisticsAddUp) {
   const json stats = program.json();
   EXPECT_EQ(stats, parse("a.json"));
   EXPECT_EQ(stats.at("schema"), "racebeam-stats");
-  EXPECT_EQ(stats.at("version"), 2);
+  EXPECT_EQ(stats.at("version"), 3);
+  EXPECT_EQ(stats.at("engine"), "beam");
   EXPECT_EQ(stats.at("level"), "tlm");
   EXPECT_EQ(frame_numbers(stats), (std::vector<int>{1, 3000}));
   const json& first = stats.at("frames")[0];

@@ -183,6 +183,8 @@ TEST_F(CliTest, UnknownNamesAreRefusedWithTheNearest) {
   expect_refused({"render", "demo", "--fraems=3"}, {"unknown option '--fraems'", "'--frames'"});
   expect_refused({"render", "demo", "--level", "signl"}, {"unknown level 'signl'", "'signal'"});
   expect_refused({"render", "demo", "--level", "tml"}, {"unknown level 'tml'", "'tlm'"});
+  expect_refused({"render", "demo", "--engine", "baem"}, {"unknown engine 'baem'", "'beam'"});
+  expect_refused({"knobs", "--engine", "baem"}, {"unknown engine 'baem'", "'beam'"});
 }
 
 TEST_F(CliTest, NumbersOutOfRangeAreRefusedWithTheRange) {

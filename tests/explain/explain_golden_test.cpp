@@ -47,7 +47,7 @@ Show show_of(const Moment& moment) {
 template <class See>
 void explain_some(const Moment& moment, bool lift_limits, std::mt19937& random, const See& see) {
   const Show show = show_of(moment);
-  const knobs k = lift_limits ? unlimited(show.standard_knobs()) : show.standard_knobs();
+  const knobs k = lift_limits ? unlimited(show.standard_knobs()) : knobs(show.standard_knobs());
   const GoldenWorld world = show.golden_world(moment.frame, k);
   const GoldenCamera camera = show.golden_camera(moment.frame, k);
   ASSERT_EQ(world.lock, GoldenLock::None);

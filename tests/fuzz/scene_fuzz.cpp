@@ -10,19 +10,10 @@
 #include <vector>
 
 #include "tb/scene/camera_path.h"
-#include "tb/scene/engines.h"
 #include "tb/scene/plan_storeys.h"
 #include "tb/scene/scene_compiler.h"
 #include "tb/scene/scene_reader.h"
 #include "tb/scene/scene_sight.h"
-
-// Of the engines the reader needs the names only.
-const std::vector<const racebeam::engine*>& racebeam::engines() {
-  static const std::vector<unit_row> units;
-  static const engine row{"beam", {}, "", units, {}, {}, {}, {}, nullptr, nullptr};
-  static const std::vector<const engine*> table = {&row};
-  return table;
-}
 
 namespace {
 

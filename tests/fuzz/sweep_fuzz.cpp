@@ -9,13 +9,21 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tb/base/console.h"
+#include "tb/scene/engines.h"
 #include "tb/sweep/sweep_points.h"
 #include "tb/sweep/sweep_reader.h"
 
 // What set_knob would say on stderr.
 void racebeam::tell(std::string_view) {}
+
+// It names those of other engines: there are none.
+const std::vector<const racebeam::engine*>& racebeam::engines() {
+  static const std::vector<const engine*> none;
+  return none;
+}
 
 namespace {
 

@@ -45,14 +45,14 @@ TEST(SpreadTest, PercentileIsTheLeastValueThatCoversIt) {
 }
 
 TEST(StatsReportTest, WithoutFramesIsStillWhole) {
-  const json document = report_of(StatsReport(beam_engine(), "demo", "signal", {}));
+  const json document = report_of(StatsReport(beam_engine(), "demo", "signal", knobs()));
   EXPECT_EQ(document.at("frames"), json::array());
   EXPECT_EQ(document.at("total").at("clocks"), 0);
   EXPECT_TRUE(document.at("total").at("busy_clocks").is_null());
 }
 
 TEST(StatsReportTest, LinesWithoutAValueAreCountedNotAveraged) {
-  StatsReport report(beam_engine(), "demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", knobs());
   report.add(9, "pillars", frame_of({100, 300}), {}, false);
   const json frame = report_of(report).at("frames")[0];
   EXPECT_EQ(frame.at("decisions"), 10);
@@ -67,7 +67,7 @@ TEST(StatsReportTest, LinesWithoutAValueAreCountedNotAveraged) {
 }
 
 TEST(StatsReportTest, TotalNamesTheWorstLineOfTheRun) {
-  StatsReport report(beam_engine(), "demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", knobs());
   report.add(9, "pillars", frame_of({100, 300}), {}, false);
   report.add(10, "pillars", frame_of({700, 200}), {}, false);
   const json document = report_of(report);
@@ -85,7 +85,7 @@ TEST(StatsReportTest, AnEngineMayCountNothingButItsOwnCounters) {
   other.counters = {{"words", "words", 8}};
   other.histograms.clear();
   other.lines.clear();
-  StatsReport report(other, "plain", "signal", {});
+  StatsReport report(other, "plain", "signal", knobs());
   for (const std::uint64_t words : {3, 4}) report.add(0, "", {{words}, {}, {}}, {}, false);
   const json document = report_of(report);
   EXPECT_EQ(document.at("frames")[1], (json{{"frame", 0}, {"part", ""}, {"words", 4}}));
@@ -96,7 +96,7 @@ TEST(StatsReportTest, PartsOfALineAreTold) {
   frame_stats stats;
   stats.add_line({50, 100, 60, 10, 20, 60, 300, 1000});
   stats.add_line({52, 100, 60, 10, 20, 60, 0, 1298});
-  StatsReport report(beam_engine(), "demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", knobs());
   EXPECT_EQ(line_account(report), "");
   report.add(9, "pillars", counted(stats), {}, false);
   EXPECT_EQ(line_account(report),
@@ -107,13 +107,14 @@ TEST(StatsReportTest, PartsOfALineAreTold) {
 }
 
 TEST(StatsReportTest, TheSchemaHasAVersion) {
-  const json document = report_of(StatsReport(beam_engine(), "demo", "signal", {}));
+  const json document = report_of(StatsReport(beam_engine(), "demo", "signal", knobs()));
   EXPECT_EQ(document.at("schema"), "racebeam-stats");
-  EXPECT_EQ(document.at("version"), 2);
+  EXPECT_EQ(document.at("version"), 3);
+  EXPECT_EQ(document.at("engine"), "beam");
 }
 
 TEST(StatsReportTest, CrcsAreEightHexDigits) {
-  StatsReport report(beam_engine(), "demo", "signal", {});
+  StatsReport report(beam_engine(), "demo", "signal", knobs());
   VgaFrame picture;
   picture.image_crc = 0xabc;
   report.add(0, "pillars", frame_of({1, 2}), picture, true);

@@ -89,8 +89,8 @@ TEST_F(SiliconSharing, WhatIsStoredIsNotMissing) {
 
 TEST_F(SiliconSharing, APointOfTheModelOnlySaysSo) {
   engine other = beam_engine();
-  other.parameters = [](const knobs& k) {
-    return std::vector<rtl_parameter>{{"Glow", k.fifo_merge, "the knob glow"}};
+  other.parameters = [](const knob_values& k) {
+    return std::vector<rtl_parameter>{{"Glow", knobs(k).fifo_merge, "the knob glow"}};
   };
   const Silicon with_glow(other);
   SiliconPlan points(with_glow, [](const std::string&) { return std::nullopt; });

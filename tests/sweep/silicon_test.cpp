@@ -119,8 +119,8 @@ TEST(SiliconTest, AKnobChangesTheUnitsThatHaveItAlone) {
 
 TEST(SiliconTest, AKnobOfTheModelOnlyHasNone) {
   engine other = beam_engine();
-  other.parameters = [](const knobs& k) {
-    return std::vector<rtl_parameter>{{"Glow", k.fifo_merge, "the knob glow"}};
+  other.parameters = [](const knob_values& k) {
+    return std::vector<rtl_parameter>{{"Glow", knobs(k).fifo_merge, "the knob glow"}};
   };
   const Silicon silicon(other);
   EXPECT_EQ(silicon.units_of(knobs()).size(), std::size(Units));

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/bench/benches.h"
+
+#include <stdexcept>
+
+#include "sc/beam/engine.h"
+#include "tb/bench/beam_bench.h"
+
+namespace racebeam {
+
+const std::vector<BenchKind>& benches() {
+  static const std::vector<BenchKind> table = {{beam_engine(), true, true, make_beam_bench}};
+  return table;
+}
+
+const BenchKind& bench_of(const engine& built) {
+  for (const BenchKind& kind : benches())
+    if (&kind.engine == &built) return kind;
+  throw std::out_of_range(std::string("no bench for ") + built.name);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,36 @@
+// How chips are put on the bench, one row for each engine.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tb/bench/chip_bench.h"
+#include "tb/bench/wired_bench.h"
+
+namespace racebeam {
+
+/// What is wanted of a bench besides pictures and counters.
+struct BenchWishes {
+  bool crc = false;        ///< the CRCs of VgaFrame
+  bool sound = false;      ///< the PWM pin is heard
+  bool intervals = false;  ///< IntervalEvents are collected
+};
+
+struct BenchKind {
+  const racebeam::engine& engine;
+  bool sound, intervals;  ///< what it can do
+  /// Throws RtlError.
+  std::unique_ptr<ChipBench> (*make)(const std::string& level, const WiredBench::Setting& setting,
+                                     const BenchWishes& wishes);
+};
+
+const std::vector<BenchKind>& benches();
+
+/// The row of an engine. Throws std::out_of_range.
+const BenchKind& bench_of(const engine& built);
+
+}  // namespace racebeam

@@ -1,0 +1,30 @@
+// AnyScene: what a scene file of any engine has become, checked and without faults.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "sc/base/engine.h"
+
+namespace racebeam {
+
+class AnyScene {
+ public:
+  virtual ~AnyScene() = default;
+
+  /// What kind of chip shows it.
+  virtual const racebeam::engine& engine() const = 0;
+  virtual const std::string& name() const = 0;
+  /// Pictures 0..frames() - 1, then it starts again.
+  virtual int frames() const = 0;
+  /// What goes into the memories of the chip.
+  virtual const scene_tables& tables() const = 0;
+  /// What is shown in a picture, in a few words.
+  virtual std::string part(int frame) const = 0;
+  /// "5 rooms, 4 portals".
+  virtual std::string counts() const = 0;
+};
+
+}  // namespace racebeam

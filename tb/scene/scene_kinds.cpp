@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/scene_kinds.h"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "sc/beam/engine.h"
+#include "tb/scene/beam_scene.h"
+#include "tb/scene/input_file.h"
+#include "tb/scene/table_reader.h"
+
+namespace racebeam {
+
+namespace {
+
+/// nullptr, and a fault, if the file names none that there is.
+const SceneKind* kind_of(const TomlNode& root, const std::vector<SceneKind>& kinds,
+                         Faults& faults) {
+  const TomlNode* const named = root.find("engine");
+  if (!named) return &kinds.front();
+  std::vector<std::string> names;
+  for (const SceneKind& kind : kinds) names.emplace_back(kind.engine.name);
+  int number = 0;
+  return read_word(*named, "engine", names, number, faults) ? &kinds[number] : nullptr;
+}
+
+}  // namespace
+
+const std::vector<SceneKind>& scene_kinds() {
+  static const std::vector<SceneKind> table = {{beam_engine(), scene_keys(), read_beam_scene}};
+  return table;
+}
+
+AnySceneResult read_any_scene(std::string_view text, const std::string& name,
+                              const std::vector<SceneKind>& kinds) {
+  AnySceneResult result;
+  const std::optional<TomlNode> root = parse_toml(text, result.faults);
+  if (!root) return result;
+  if (const SceneKind* const kind = kind_of(*root, kinds, result.faults))
+    result.scene = kind->read({*root, text, name}, result.faults);
+  return result;
+}
+
+AnySceneResult read_any_scene_file(const std::string& path) {
+  AnySceneResult result;
+  std::optional<std::string> text = read_input_file(path, "scene", result.faults);
+  if (!text) return result;
+  result = read_any_scene(*text, std::filesystem::path(path).stem().string());
+  result.text = std::move(*text);
+  return result;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,31 @@
+// What comparisons of model and RTL are told of the units, one row for each engine.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "sc/base/engine.h"
+#include "tb/twin/legal_inputs.h"
+#include "tb/twin/plugin_maker.h"
+
+namespace racebeam {
+
+struct Twins {
+  const racebeam::engine& engine;
+  /// Plug-ins for chips with the knobs `k` that show `scene`, which must outlive the maker;
+  /// nullptr: the built-in demo. `traced`: signals inside the RTL can be read.
+  PluginMaker (*plugins)(const knob_values& k, const scene_tables* scene, bool traced);
+  /// The widths of a chip with the knobs `k`.
+  LegalInputs (*inputs)(const knob_values& k);
+  /// Whether engine::top, which has no parameters, is such a chip.
+  bool (*is_top)(const knob_values& k, const scene_tables* scene);
+};
+
+const std::vector<Twins>& twins();
+
+/// The row of an engine. Throws std::out_of_range.
+const Twins& twins_of(const engine& built);
+
+}  // namespace racebeam
