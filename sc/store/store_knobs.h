@@ -39,7 +39,7 @@ constexpr int DacBits = 10;           // of a colour at the pins
 constexpr int MaxWriteBuffer = 128;   // entries
 
 struct store_knobs {
-  int write_buffer_depth = 64;         ///< entries, 1..128; RTL: powers of two from 2
+  int write_buffer_depth = 64;         ///< entries, 1..128
   int write_policy = WritePolicySync;  ///< write_policy_rule
   int when_full = WhenFullStall;       ///< when_full_rule
   int wrap_right = 0;                  ///< 1: columns right of the picture are not made black

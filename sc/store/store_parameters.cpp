@@ -5,9 +5,7 @@
 namespace racebeam {
 
 std::vector<rtl_parameter> store_parameters(const store_knobs& k) {
-  const int depth = k.write_buffer_depth;
-  const bool in_rtl = depth > 1 && (depth & (depth - 1)) == 0;
-  return {{"WriteBufferDepth", depth, "the knob write_buffer_depth", in_rtl ? "" : "write_buffer"},
+  return {{"WriteBufferDepth", k.write_buffer_depth, "the knob write_buffer_depth"},
           {"WritePolicy", k.write_policy, "the knob write_policy"},
           {"WhenFull", k.when_full, "the knob when_full"},
           {"WrapRight", k.wrap_right, "the knob wrap_right"},

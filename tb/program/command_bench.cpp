@@ -21,6 +21,7 @@
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
+#include "tb/speed/store_rows.h"
 #include "tb/speed/sweep_rows.h"
 #include "tb/twin/unit_bench.h"
 
@@ -93,7 +94,8 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
 }
 
 // Groups of rows, which may be asked for as a unit may.
-constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes", *Host = "host";
+constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes", *Host = "host",
+                     *Store = "store";
 constexpr const char* Sweep = "sweep";  // only if it is asked for: it takes minutes
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
@@ -174,7 +176,7 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 std::vector<std::string> bench_rows() {
-  std::vector<std::string> rows = {Levels, Traces, Mixes, Host, Sweep};
+  std::vector<std::string> rows = {Levels, Traces, Mixes, Host, Store, Sweep};
   for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
   return rows;
 }
@@ -231,6 +233,11 @@ int command_bench(const BenchOptions& options) {
     worst = slowest_tlm(all);
     if (!options.json) print(verdict(worst));
   }
+  Json store;
+  if (wanted(Store)) {
+    store = store_rows();
+    if (!options.json) print(store_tables(store));
+  }
   if (!options.rows.empty() && wanted(Sweep)) run_sweeps(options.repeats, options.json, all);
   if (options.json) {
     Json report{{"schema", "racebeam-bench"},
@@ -239,6 +246,7 @@ int command_bench(const BenchOptions& options) {
                 {"frames", options.frames},
                 {"medians", all}};
     if (wanted(Levels)) report["slowest_tlm"] = worst;
+    if (wanted(Store)) report["store"] = store;
     print(report.dump(2) + "\n");
   }
   return ExitGood;
@@ -249,8 +257,8 @@ namespace {
 void add_options(const CommandOptions& command, BenchOptions& options) {
   command
       .add_option("row", options.rows,
-                  "Only these: levels, traces, mixes, host, sweep, or units; sweep takes minutes "
-                  "and is run only if it is named")
+                  "Only these: levels, traces, mixes, host, store, sweep, or units; sweep takes "
+                  "minutes and is run only if it is named")
       .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))
