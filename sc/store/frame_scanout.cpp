@@ -29,8 +29,8 @@ frame_scanout_core::colour frame_scanout_core::unpack(std::uint64_t word, const 
 
 int frame_scanout_core::address(int row, int column, int plane, const store_knobs& k) {
   row &= low_bits(9);
-  if (k.store_format == StoreRgbLight) return row << 9 | (column & low_bits(9));
-  if (k.store_format == StoreRgb888) return row << PixelBits | column;
+  if (k.store_format != StorePlanar)
+    return row << k.column_bits() | (column & low_bits(k.column_bits()));
   return ((plane * k.picture_height + row) * (k.picture_width / 8) + column / 8) &
          low_bits(StoreAddressBits);
 }

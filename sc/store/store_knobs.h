@@ -24,7 +24,8 @@ enum when_full_rule {
 /// How pixels stand in words of the memory. The row is y_i + 240, the column 0 at the left.
 enum store_format_rule {
   /// A pixel a word: bit 3 * colour_bits tells that it is the light; below it red, green, blue of
-  /// colour_bits each, blue lowest. Address {row[8:0], column[8:0]}.
+  /// colour_bits each, blue lowest. Address {row[8:0], column[8:0]}; pictures wider than 512:
+  /// {row[8:0], column[9:0]}.
   StoreRgbLight = 0,
   /// A pixel a word: red, green, blue of 8 bits each, blue lowest. Address {row[8:0], column[9:0]}.
   StoreRgb888 = 1,
@@ -52,13 +53,15 @@ struct store_knobs {
 
   /// Bits of an address and of a word that are kept: the low ones of the ports.
   int address_bits() const {
-    return store_format == StoreRgbLight ? 18 : store_format == StoreRgb888 ? 19 : StoreAddressBits;
+    return store_format == StorePlanar ? StoreAddressBits : 9 + column_bits();
   }
   int data_bits() const {
     return store_format == StoreRgbLight ? 3 * colour_bits + 1
            : store_format == StoreRgb888 ? 24
                                          : StoreDataBits;
   }
+  /// Bits of an address that are the column, where a word is a pixel.
+  int column_bits() const { return store_format == StoreRgb888 || picture_width > 512 ? 10 : 9; }
   /// Words that the beam reads for a group of pixels, and how many pixels that are.
   int group_words() const { return store_format == StorePlanar ? 3 : 1; }
   int group_pixels() const { return store_format == StorePlanar ? 8 : 1; }

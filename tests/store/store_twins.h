@@ -48,6 +48,11 @@ inline store_knobs wrapped() {
   k.colour_bits = 8;
   return k;
 }
+inline store_knobs wide_light() {
+  store_knobs k;
+  k.picture_width = 640;
+  return k;
+}
 inline store_knobs narrow_planar() {
   store_knobs k = planar();
   k.picture_width = 512;
