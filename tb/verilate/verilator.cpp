@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* Package = "racebeam_pkg";
-
 std::string absolute(const std::string& path) {
   return fs::absolute(path).lexically_normal().string();
 }
@@ -29,9 +27,23 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-bool brings_package(const RtlSources& sources) {
-  return std::any_of(sources.files.begin(), sources.files.end(),
-                     [](const std::string& file) { return fs::path(file).stem() == Package; });
+bool brings(const RtlSources& sources, const fs::path& package) {
+  return std::any_of(
+      sources.files.begin(), sources.files.end(),
+      [&package](const std::string& file) { return fs::path(file).stem() == package.stem(); });
+}
+
+/// The project's packages, *_pkg.sv, but for those that the sources bring.
+std::vector<std::string> missing_packages(const RtlSources& sources) {
+  static const std::regex Package(".*_pkg\\.sv");
+  std::vector<std::string> packages;
+  for (const std::string& folder : rtl_folders())
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (std::regex_match(entry.path().filename().string(), Package) &&
+          !brings(sources, entry.path()))
+        packages.push_back(absolute(entry.path().string()));
+  std::sort(packages.begin(), packages.end());
+  return packages;
 }
 
 /// Adds the names of warnings that later versions know to Verilator's options, if it complained of
@@ -105,8 +117,8 @@ std::vector<std::string> source_words(const RtlSources& sources) {
     if (!fs::is_directory(library)) words.insert(words.end(), {"-v", absolute(library)});
   for (const std::string& define : sources.defines) words.push_back("-D" + define);
   for (const std::string& parameter : sources.parameters) words.push_back("-G" + parameter);
-  if (sources.kind == RtlSources::Unit && !brings_package(sources))
-    words.push_back(absolute(rtl_file(Package)));
+  if (sources.kind == RtlSources::Unit)
+    for (const std::string& package : missing_packages(sources)) words.push_back(package);
   for (const std::string& file : sources.files) words.push_back(absolute(file));
   return words;
 }
