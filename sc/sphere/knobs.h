@@ -1,0 +1,70 @@
+// What an architect may change of the sphere tracer, and the table that names it.
+//
+// The defaults are the sphere tracer as built here; as_built puts back what the source has.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace racebeam {
+
+enum write_policy_rule { WriteSync = 0, WriteBlanking = 1, WriteFree = 2 };
+enum when_full_rule { FullStall = 0, FullDrop = 1 };
+enum capture_guard_rule { GuardCounter = 0, GuardApproach = 1, GuardOff = 2 };
+
+struct sphere_knobs {
+  int fraction_bits = 12;
+  int colour_bits = 5;
+  int root_bits_per_clock = 6;
+  int divide_clocks = 5;
+  int table_entries = 16;
+  int write_buffer_depth = 64;
+  int write_policy = WriteSync;
+  int when_full = FullStall;
+  int write_each_pass = 0;
+  int shadow_rays = 1;
+  int plane_shadows = 0;
+  int min_weight = 40;
+  int wrap_right = 0;
+  int wide = 0;
+  int clocks_per_pixel = 1;
+  int host_clocks_per_word = 2;
+  int capture_guard = GuardCounter;
+  int as_built = 0;
+
+  /// The clocks of ROOT: the tracer sees the root in the last of them.
+  int root_clocks() const { return 3 + (22 + root_bits_per_clock - 1) / root_bits_per_clock; }
+  /// The same with what as_built stands for in the knobs of its own.
+  sphere_knobs resolved() const {
+    sphere_knobs k = *this;
+    if (as_built) {
+      k.write_each_pass = 1;
+      k.when_full = FullDrop;
+      k.table_entries = 5;
+    }
+    return k;
+  }
+};
+
+/// Whether all knobs are equal: every row of the table.
+bool operator==(const sphere_knobs& a, const sphere_knobs& b);
+inline bool operator!=(const sphere_knobs& a, const sphere_knobs& b) { return !(a == b); }
+
+/// One row of the knob table.
+struct sphere_knob_info {
+  const char* name;
+  int sphere_knobs::*member;
+  int min, max;
+  std::vector<std::string> names;  ///< names of the values min..max, if they are names
+  const char* unit;
+  const char* meaning;
+  const char* source;
+};
+
+/// All knobs: a member without a row does not compile.
+const std::vector<sphere_knob_info>& sphere_knob_table();
+
+}  // namespace racebeam
