@@ -1,4 +1,5 @@
-// Widths, states and operations of the sphere tracer, the same in rtl/sphere/sphere_pkg.sv.
+// Widths, states and operations of the sphere tracer, the same in rtl/sphere/sphere_pkg.sv;
+// those of the frame store are in sc/store/store_knobs.h.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -23,8 +24,6 @@ constexpr int PlaneEntries = 8;
 constexpr int LightRadius = 2;
 
 // Picture and store.
-constexpr int StoreAddressBits = 20;
-constexpr int StoreDataBits = 64;
 constexpr int SubRays = 9;           // of a pixel, at most
 constexpr int HostPatience = 65535;  // clocks without a word of a CPU until the built-in scene
 constexpr int NearestPlane = 1024;   // 1/4: a plane is hit beyond it

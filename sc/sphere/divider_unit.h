@@ -22,8 +22,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
+#include "sc/sphere/divider_unit_core.h"
 #include "sc/sphere/knobs.h"
 
 namespace racebeam {
@@ -42,6 +44,22 @@ class divider_unit_pins : public sc_core::sc_module {
   out_port<1> done_o{"done_o"};
 
   explicit divider_unit_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of divider_unit: its core behind the pins.
+class divider_unit : public divider_unit_pins, public probed {
+ public:
+  using pins = divider_unit_pins;
+  static constexpr const char* unit_name = "divider_unit";
+
+  divider_unit(const sc_core::sc_module_name& name, const sphere_knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_); }
+
+ private:
+  void seq();
+
+  const sphere_knobs knobs_;
+  divider_unit_core core_;
 };
 
 }  // namespace racebeam

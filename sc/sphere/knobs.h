@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "sc/store/store_knobs.h"
+
 namespace racebeam {
 
-enum write_policy_rule { WriteSync = 0, WriteBlanking = 1, WriteFree = 2 };
-enum when_full_rule { FullStall = 0, FullDrop = 1 };
 enum capture_guard_rule { GuardCounter = 0, GuardApproach = 1, GuardOff = 2 };
 
 struct sphere_knobs {
@@ -22,8 +22,8 @@ struct sphere_knobs {
   int divide_clocks = 5;
   int table_entries = 16;
   int write_buffer_depth = 64;
-  int write_policy = WriteSync;
-  int when_full = FullStall;
+  int write_policy = WritePolicySync;
+  int when_full = WhenFullStall;
   int write_each_pass = 0;
   int shadow_rays = 1;
   int plane_shadows = 0;
@@ -37,12 +37,26 @@ struct sphere_knobs {
 
   /// The clocks of ROOT: the tracer sees the root in the last of them.
   int root_clocks() const { return 3 + (22 + root_bits_per_clock - 1) / root_bits_per_clock; }
+  /// Columns and rows of the picture.
+  int columns(bool narrow) const { return narrow ? 320 : wide ? 640 : 512; }
+  static int rows(bool narrow) { return narrow ? 240 : 480; }
+  /// Those of the frame store.
+  store_knobs store() const {
+    store_knobs s;
+    s.write_buffer_depth = write_buffer_depth;
+    s.write_policy = write_policy;
+    s.when_full = when_full;
+    s.wrap_right = wrap_right;
+    s.colour_bits = colour_bits;
+    s.picture_width = wide ? 640 : 512;
+    return s;
+  }
   /// The same with what as_built stands for in the knobs of its own.
   sphere_knobs resolved() const {
     sphere_knobs k = *this;
     if (as_built) {
       k.write_each_pass = 1;
-      k.when_full = FullDrop;
+      k.when_full = WhenFullDrop;
       k.table_entries = 5;
     }
     return k;

@@ -1,9 +1,8 @@
 // plane_table: the planes of a scene, in a read-only memory.
 //
 // What    plane `index_i`: normal . p + distance = 0, the normal pointing to the eye's side;
-// colour,
-//         reflectivity, checkerboard mask, and how far from the origin it goes along each axis, if
-//         it is limited. Of a plane that the scene does not have everything is 0.
+//         colour, reflectivity, checkerboard mask, and how far from the origin it goes along each
+//         axis, if it is limited. Of a plane that the scene does not have everything is 0.
 // Size    8 entries of 164 bits; no registers.
 // Cycles  combinational.
 // Comb    index_i -> all outputs but last_o and empty_o, which are constants of the scene.
@@ -24,6 +23,7 @@
 
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
+#include "sc/sphere/sphere_scene.h"
 
 namespace racebeam {
 
@@ -45,6 +45,20 @@ class plane_table_pins : public sc_core::sc_module {
   out_port<1> empty_o{"empty_o"};             // there is none
 
   explicit plane_table_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of plane_table. The tables must outlive it.
+class plane_table : public plane_table_pins {
+ public:
+  using pins = plane_table_pins;
+  static constexpr const char* unit_name = "plane_table";
+
+  plane_table(const sc_core::sc_module_name& name, const sphere_tables& tables);
+
+ private:
+  void comb();
+
+  const std::vector<plane_row>& planes_;
 };
 
 }  // namespace racebeam

@@ -22,9 +22,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
 #include "sc/sphere/knobs.h"
+#include "sc/sphere/root_unit_core.h"
 
 namespace racebeam {
 
@@ -41,6 +43,22 @@ class root_unit_pins : public sc_core::sc_module {
   out_port<1> done_o{"done_o"};
 
   explicit root_unit_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of root_unit: its core behind the pins.
+class root_unit : public root_unit_pins, public probed {
+ public:
+  using pins = root_unit_pins;
+  static constexpr const char* unit_name = "root_unit";
+
+  root_unit(const sc_core::sc_module_name& name, const sphere_knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_); }
+
+ private:
+  void seq();
+
+  const sphere_knobs knobs_;
+  root_unit_core core_;
 };
 
 }  // namespace racebeam

@@ -7,11 +7,11 @@
 //         from 0: entries 0 to n - 1 are spheres, written to index sphere_i[3:0]; entry n is the
 //         light, written to index n from light_*_i: radius 2, radius2 4, inverse 2048, reflect 0,
 //         colour 31/31/31, is_light 1; loaded_o comes with it. colour is {light, r, g, b} of 1, 5,
-//         5, 5 bits. A sphere with an index above n is not written, but counted. Without a CPU:
-//         when host_i was 1 for HostPatience clocks in all (loaded_o 0) and no edge was ever taken
-//         since reset, a scene that is built in is written, an entry a clock, from then on at once
-//         in each picture, until an edge is taken. reflect, radius; centre in whole units; colour
-//         r/g/b:
+//         5, 5 bits. A sphere with an index above n is not written, but counted. n is taken
+//         at each edge; a count beyond it is the light, too. Without a CPU: when host_i was 1 for
+//         HostPatience clocks in all (loaded_o 0) and no edge was ever taken since reset, a scene
+//         that is built in is written, an entry a clock, from then on at once in each picture,
+//         until an edge is taken. reflect, radius; centre in whole units; colour r/g/b:
 //           scene_i = 0   (-9,0,15) r 5 31/4/4, (9,0,15) r 5 4/31/4, (0,-9,20) r 5 4/4/31, each
 //                         reflect 0x400; (0,8,10) r 4 6/6/6 reflect 0x800
 //           scene_i = 1   (0,0,15) r 10 31/16/4 reflect 0x400
@@ -21,8 +21,7 @@
 //         of a picture with sphere_i[7:4] above table_entries - 1; for valid_i that was 1, was not
 //         taken, and is 0 again.
 // Cycles  an entry that is taken at an edge of the clock has table_write_o = 1 in the next clock,
-// for
-//         one clock; loaded_o and fault_o likewise. Fields keep their values without a write.
+//         for one clock; loaded_o and fault_o likewise. Fields keep their values without a write.
 //         The count of entries is 0 again when loaded_o falls.
 // Comb    none; all outputs are registers.
 // Stall   the CPU holds the fields while valid_i is 1.
@@ -36,9 +35,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
 #include "sc/sphere/knobs.h"
+#include "sc/sphere/sphere_host_link_core.h"
 
 namespace racebeam {
 
@@ -82,6 +83,22 @@ class sphere_host_link_pins : public sc_core::sc_module {
   out_port<1> fault_o{"fault_o"};
 
   explicit sphere_host_link_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of sphere_host_link: its core behind the pins.
+class sphere_host_link : public sphere_host_link_pins, public probed {
+ public:
+  using pins = sphere_host_link_pins;
+  static constexpr const char* unit_name = "sphere_host_link";
+
+  sphere_host_link(const sc_core::sc_module_name& name, const sphere_knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_); }
+
+ private:
+  void seq();
+
+  const sphere_knobs knobs_;
+  sphere_host_link_core core_;
 };
 
 }  // namespace racebeam

@@ -9,8 +9,7 @@
 //           (y cw); bits 7 and 6 are 0;
 //         - KEY0 held: screen += 1/16 (256); KEY1 held: screen -= 1/16; both: as it was;
 //         - the modes take the switches: narrow_o = !SW5, scene_o = SW4, max_reflections_o =
-//         SW3..2,
-//           alias_o = 2 (8x) if SW1, else 1 (4x) if SW0, else 0. planes_o stays.
+//           SW3..2, alias_o = 2 (8x) if SW1, else 1 (4x) if SW0, else 0. planes_o stays.
 //         Keys are 0 while pressed.
 // Cycles  outputs but rst_no are registers: they change at the edge that ends a clock with
 //         picture_done_i, or one of the reset.
@@ -19,8 +18,7 @@
 // Stall   none.
 // Reset   rst_no = 0, as above.
 // Scene   start values: parameters OriginX, OriginY, OriginZ, LightX, LightY, LightZ, Screen
-// (12.12,
-//         signed; by default 0, 0, -131072, 61440, 61440, -4096, 32768).
+//         (12.12, signed; by default 0, 0, -131072, 61440, 61440, -4096, 32768).
 // Twin    rtl/sphere/sphere_inputs.sv
 // Test    tests/sphere/sphere_inputs_test.cpp
 // Source  report "Inputs".
@@ -29,8 +27,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
+#include "sc/sphere/sphere_inputs_core.h"
 
 namespace racebeam {
 
@@ -59,6 +59,23 @@ class sphere_inputs_pins : public sc_core::sc_module {
   out_port<1> scene_o{"scene_o"};  // built-in scene, if there is no CPU
 
   explicit sphere_inputs_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of sphere_inputs: its core behind the pins.
+class sphere_inputs : public sphere_inputs_pins, public probed {
+ public:
+  using pins = sphere_inputs_pins;
+  static constexpr const char* unit_name = "sphere_inputs";
+
+  sphere_inputs(const sc_core::sc_module_name& name, const sphere_tables& tables);
+  std::vector<probe> probes() const override { return registers_of(core_); }
+
+ private:
+  void seq();
+  void comb();
+
+  const sphere_start start_;
+  sphere_inputs_core core_;
 };
 
 }  // namespace racebeam

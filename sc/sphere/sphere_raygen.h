@@ -45,4 +45,18 @@ class sphere_raygen_pins : public sc_core::sc_module {
   explicit sphere_raygen_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
 };
 
+/// The model of sphere_raygen.
+class sphere_raygen : public sphere_raygen_pins {
+ public:
+  using pins = sphere_raygen_pins;
+  static constexpr const char* unit_name = "sphere_raygen";
+
+  sphere_raygen(const sc_core::sc_module_name& name, const sphere_knobs& k);
+
+ private:
+  void comb();
+
+  const sphere_knobs knobs_;
+};
+
 }  // namespace racebeam

@@ -1,9 +1,7 @@
-// sphere_shader: colour of a hit, of a ray with its reflections, and of a pixel of several
-// sub-rays.
+// sphere_shader: colour of a hit, of a ray with its reflections, and of a pixel.
 //
 // What    Registers: colour (3 x 11 bits, of the last hit), sum (3 x 10, so far), weight (12),
-// light
-//         (1), and the alias buffer, 9 x 30 bits. A channel of the base is c = base << 5; if
+//         light (1), and the alias buffer, 9 x 30 bits. A channel of the base is c = base << 5; if
 //         dark_i, (base << 5) >> 2. At the end of a clock, by op_i:
 //           ShadeHold   nothing
 //           ShadeStart  sum := 0, weight := 0xfff, light := 0
@@ -36,9 +34,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
 #include "sc/sphere/knobs.h"
+#include "sc/sphere/sphere_shader_core.h"
+#include "sc/store/store_knobs.h"
 
 namespace racebeam {
 
@@ -65,6 +66,24 @@ class sphere_shader_pins : public sc_core::sc_module {
   out_port<StoreDataBits> word_o{"word_o"};  // {light, red, green, blue}
 
   explicit sphere_shader_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of sphere_shader: its core behind the pins.
+class sphere_shader : public sphere_shader_pins, public probed {
+ public:
+  using pins = sphere_shader_pins;
+  static constexpr const char* unit_name = "sphere_shader";
+
+  sphere_shader(const sc_core::sc_module_name& name, const sphere_knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_); }
+
+ private:
+  void seq();
+  void weigh();
+  void mix();
+
+  const sphere_knobs knobs_;
+  sphere_shader_core core_;
 };
 
 }  // namespace racebeam

@@ -18,9 +18,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/sphere/codes.h"
 #include "sc/sphere/knobs.h"
+#include "sc/sphere/sphere_table_core.h"
 
 namespace racebeam {
 
@@ -56,6 +58,24 @@ class sphere_table_pins : public sc_core::sc_module {
   out_port<SphereIndexBits> last_o{"last_o"};
 
   explicit sphere_table_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
+};
+
+/// The model of sphere_table: its core behind the pins.
+class sphere_table : public sphere_table_pins, public probed {
+ public:
+  using pins = sphere_table_pins;
+  static constexpr const char* unit_name = "sphere_table";
+
+  sphere_table(const sc_core::sc_module_name& name, const sphere_knobs& k);
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
+
+ private:
+  void seq();
+  void comb();
+
+  const sphere_knobs knobs_;
+  sphere_table_core core_;
+  sc_core::sc_event written_{"written"};
 };
 
 }  // namespace racebeam

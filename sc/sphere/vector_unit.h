@@ -40,4 +40,16 @@ class vector_unit_pins : public sc_core::sc_module {
   explicit vector_unit_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
 };
 
+/// The model of vector_unit.
+class vector_unit : public vector_unit_pins {
+ public:
+  using pins = vector_unit_pins;
+  static constexpr const char* unit_name = "vector_unit";
+
+  explicit vector_unit(const sc_core::sc_module_name& name);
+
+ private:
+  void comb();
+};
+
 }  // namespace racebeam

@@ -1,0 +1,61 @@
+// sphere_store: the words of a picture on their way into the frame store, for the tlm level.
+//
+// A closed form of vga_timing, frame_scanout's reads and store_arbiter around write_buffer_core:
+// when the buffer may write follows from the clock alone. The raster is vga_timing's; clock 0 is
+// the first one after its reset.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sc/sphere/counters.h"
+#include "sc/sphere/knobs.h"
+#include "sc/store/write_buffer.h"
+
+namespace racebeam {
+
+class sphere_store {
+ public:
+  explicit sphere_store(const sphere_knobs& k);
+
+  /// The clock that is next.
+  std::int64_t clock() const { return clock_; }
+  /// Goes on to a clock: takes from the buffer what may be taken before it. `n`: what to count in,
+  /// or nullptr.
+  void go_to(std::int64_t clock, sphere_counters* n);
+  /// A word offered in this clock: it waits, goes in, and the clock is over; the clocks waited.
+  int put(int address, std::uint64_t word, sphere_counters& n);
+
+  /// Clocks in which the beam reads, and frames begun, before a clock.
+  std::uint64_t reads_before(std::int64_t clock) const;
+  std::uint64_t frames_before(std::int64_t clock) const {
+    return static_cast<std::uint64_t>((clock + frame_clocks_ - 1) / frame_clocks_);
+  }
+  std::int64_t frame_clocks() const { return frame_clocks_; }
+
+  /// The memory, and what the write buffer has for it.
+  const std::vector<std::uint64_t>& memory() const { return memory_; }
+  const write_buffer_core& buffer() const { return buffer_; }
+  /// The memory as it will be when the buffer is empty.
+  std::vector<std::uint64_t> picture() const;
+
+ private:
+  void find_run();
+  bool may_write();
+  void take(sphere_counters* n);
+
+  const sphere_knobs k_;
+  const store_knobs store_;
+  const std::int64_t line_clocks_, frame_clocks_;
+  write_buffer_core buffer_;
+  int fill_ = 0;
+  std::vector<std::uint64_t> memory_;
+  std::int64_t clock_ = 0;
+  bool open_ = false;         // the tracer may write from clock_ on
+  std::int64_t run_end_ = 0;  // up to here
+};
+
+}  // namespace racebeam
