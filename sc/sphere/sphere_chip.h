@@ -1,0 +1,176 @@
+// sphere_chip: the sphere tracer's units, vga_timing and the frame store, wired with signals under
+// one clock; the `signal` level.
+//
+// A wire carries the name of the port that drives it, without its suffix. Instances are named
+// u_<unit>. The only logic of its own: `sync`, hsync or vsync is low, and `blank`, no visible
+// pixel. The raster and the frame store's beam side follow rst_ni, all other units u_sphere_inputs'
+// rst_n.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "sc/base/unit_choices.h"
+#include "sc/sphere/divider_unit.h"
+#include "sc/sphere/plane_table.h"
+#include "sc/sphere/root_unit.h"
+#include "sc/sphere/sphere_collector.h"
+#include "sc/sphere/sphere_host_link.h"
+#include "sc/sphere/sphere_inputs.h"
+#include "sc/sphere/sphere_raygen.h"
+#include "sc/sphere/sphere_shader.h"
+#include "sc/sphere/sphere_table.h"
+#include "sc/sphere/sphere_tracer.h"
+#include "sc/sphere/vector_unit.h"
+#include "sc/store/frame_memory.h"
+#include "sc/store/frame_scanout.h"
+#include "sc/store/store_arbiter.h"
+#include "sc/store/write_buffer.h"
+#include "sc/video/vga_timing.h"
+
+namespace racebeam {
+
+class sphere_chip final : public sc_core::sc_module {
+ public:
+  // Pins
+  in_port<1> clk_i{"clk_i"};
+  in_port<1> rst_ni{"rst_ni"};
+  in_port<18> sw_i{"sw_i"};
+  in_port<4> key_ni{"key_ni"};
+  // The CPU
+  in_port<8> sphere_i{"sphere_i"};
+  in_port<16> color_i{"color_i"};
+  in_port<SphereBits> x1_i{"x1_i"}, y1_i{"y1_i"}, z1_i{"z1_i"};
+  in_port<UnitBits> reflect_i{"reflect_i"}, radius_i{"radius_i"};
+  in_port<SphereBits> r2_i{"r2_i"};
+  in_port<UnitBits> r_inv_i{"r_inv_i"};
+  in_port<1> valid_i{"valid_i"};
+  out_port<8> rotz_o{"rotz_o"};
+  out_port<1> done_o{"done_o"};
+  // The monitor
+  out_port<1> hsync_no{"hsync_no"}, vsync_no{"vsync_no"};
+  out_port<DacBits> red_o{"red_o"}, green_o{"green_o"}, blue_o{"blue_o"};
+
+  /// `tables` must outlive it. Throws RtlError if RTL that `choices` names does not fit.
+  sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& k,
+              const sphere_tables& tables, const unit_choices& choices = {});
+
+  /// The wires of the present clock, settled if called at its end.
+  sphere_view view() const;
+  /// A clock to be counted, at its end.
+  void count() { collector_.observe(view()); }
+  const sphere_collector& collector() const { return collector_; }
+  /// The frame store, by address; a picture is all in it when take_valid is 0 again.
+  const std::vector<std::uint64_t>& memory() const { return u_frame_memory.words(); }
+
+  // sphere_inputs
+  wire<1> rst_n{"rst_n"};
+  axes_wire<SphereBits> origin{"origin"}, light{"light"};
+  wire<2> max_reflections{"max_reflections"}, alias{"alias"};
+  wire<1> narrow{"narrow"}, planes{"planes"}, scene{"scene"};
+  wire<SphereBits> screen{"screen"};
+  // sphere_host_link
+  wire<1> loaded{"loaded"}, table_write{"table_write"}, table_is_light{"table_is_light"};
+  wire<1> fault{"fault"};
+  wire<SphereIndexBits> table_index{"table_index"}, table_last{"table_last"};
+  axes_wire<SphereBits> table_centre{"table_centre"};
+  wire<UnitBits> table_radius{"table_radius"}, table_inverse{"table_inverse"},
+      table_reflect{"table_reflect"};
+  wire<SphereBits> table_radius2{"table_radius2"};
+  wire<SphereColourBits> table_red{"table_red"}, table_green{"table_green"},
+      table_blue{"table_blue"};
+  // sphere_table
+  axes_wire<SphereBits> centre{"centre"};
+  wire<UnitBits> radius{"radius"}, inverse{"inverse"}, sphere_reflect{"sphere_reflect"};
+  wire<SphereBits> radius2{"radius2"};
+  wire<SphereColourBits> sphere_red{"sphere_red"}, sphere_green{"sphere_green"},
+      sphere_blue{"sphere_blue"};
+  wire<1> is_light{"is_light"};
+  wire<SphereIndexBits> sphere_last{"sphere_last"};
+  // plane_table
+  axes_wire<SphereBits> normal{"normal"};
+  wire<SphereBits> distance{"distance"};
+  wire<SphereColourBits> plane_red{"plane_red"}, plane_green{"plane_green"},
+      plane_blue{"plane_blue"};
+  wire<UnitBits> plane_reflect{"plane_reflect"};
+  wire<4> checker{"checker"};
+  wire<1> limited{"limited"}, plane_empty{"plane_empty"};
+  axes_wire<UnitBits> limit{"limit"};
+  wire<PlaneIndexBits> plane_last{"plane_last"};
+  // sphere_raygen, vector_unit, root_unit, divider_unit
+  axes_wire<SphereBits> direction{"direction"}, product{"product"}, quotient{"quotient"};
+  wire<SphereSumBits> sum{"sum"}, square{"square"};
+  wire<SphereBits> root{"root"};
+  wire<1> root_done{"root_done"}, divider_done{"divider_done"};
+  // sphere_tracer
+  wire<1> picture_done{"picture_done"};
+  wire<PixelBits> x{"x"}, tracer_y{"tracer_y"};
+  wire<4> sub{"sub"};
+  wire<SphereIndexBits> sphere_index{"sphere_index"};
+  wire<PlaneIndexBits> plane_index{"plane_index"};
+  wire<2> op{"op"};
+  axes_wire<SphereBits> a{"a"}, b{"b"};
+  wire<SphereBits> s{"s"}, radicand{"radicand"}, denominator{"denominator"};
+  wire<1> root_start{"root_start"}, divider_start{"divider_start"};
+  axes_wire<NumeratorBits> numerator{"numerator"};
+  wire<3> shader_op{"shader_op"};
+  wire<SphereColourBits> base_red{"base_red"}, base_green{"base_green"}, base_blue{"base_blue"};
+  wire<1> dark{"dark"}, direct{"direct"};
+  wire<UnitBits> fraction{"fraction"}, reflect{"reflect"};
+  wire<1> word_valid{"word_valid"};
+  wire<StoreAddressBits> word_address{"word_address"};
+  wire<SphereStateBits> state{"state"};
+  // sphere_shader
+  wire<UnitBits> weight{"weight"};
+  wire<StoreDataBits> word{"word"};
+  // vga_timing
+  wire<3> speed{"speed"};  // 0: nothing drives it
+  wire<11> x2{"x2"};
+  wire<10> y{"y"};
+  wire<1> hsync_n{"hsync_n"}, vsync_n{"vsync_n"}, active{"active"}, h_active{"h_active"};
+  wire<1> consume{"consume"}, line_end{"line_end"}, active_start{"active_start"};
+  wire<1> frame_end{"frame_end"}, nav_line{"nav_line"};
+  wire<1> sync{"sync"}, blank{"blank"};
+  // The frame store
+  wire<1> put_ready{"put_ready"}, take_valid{"take_valid"}, take_ready{"take_ready"};
+  wire<StoreAddressBits> take_address{"take_address"}, read_address{"read_address"},
+      mem_address{"mem_address"};
+  wire<StoreDataBits> take_data{"take_data"}, mem_data{"mem_data"}, mem_read_data{"mem_read_data"};
+  wire<8> fill{"fill"};
+  wire<1> read{"read"}, mem_write{"mem_write"};
+
+ private:
+  const sphere_knobs knobs_;
+
+ public:
+  // Units
+  const std::unique_ptr<vga_timing_pins> u_vga_timing;
+  const std::unique_ptr<sphere_inputs_pins> u_sphere_inputs;
+  const std::unique_ptr<sphere_host_link_pins> u_sphere_host_link;
+  const std::unique_ptr<sphere_table_pins> u_sphere_table;
+  const std::unique_ptr<plane_table_pins> u_plane_table;
+  const std::unique_ptr<sphere_raygen_pins> u_sphere_raygen;
+  const std::unique_ptr<vector_unit_pins> u_vector_unit;
+  const std::unique_ptr<root_unit_pins> u_root_unit;
+  const std::unique_ptr<divider_unit_pins> u_divider_unit;
+  const std::unique_ptr<sphere_tracer_pins> u_sphere_tracer;
+  const std::unique_ptr<sphere_shader_pins> u_sphere_shader;
+  const std::unique_ptr<write_buffer_pins> u_write_buffer;
+  const std::unique_ptr<store_arbiter_pins> u_store_arbiter;
+  frame_memory u_frame_memory;
+  const std::unique_ptr<frame_scanout_pins> u_frame_scanout;
+
+ private:
+  void bind_inputs();
+  void bind_tables();
+  void bind_arithmetic();
+  void bind_tracer();
+  void bind_store();
+  void follow_raster();
+
+  sphere_collector collector_;
+};
+
+}  // namespace racebeam
