@@ -1,0 +1,132 @@
+// divider_unit: three divisions by one denominator, restoring, on magnitudes.
+// Contract: sc/sphere/divider_unit.h
+//
+// Every clock divides as many bits: the numerator has zeros before it to fill the clocks. The
+// registers of the division are without reset.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module divider_unit #(
+    parameter int DivideClocks = 5
+) (
+    // Clock and reset
+    input  wire logic clk_i,
+    input  wire logic rst_ni,
+    // sphere_tracer
+    input  wire logic start_i,
+    input  wire logic [sphere_pkg::NumeratorBits-1:0] numerator_x_i,  // signed
+    input  wire logic [sphere_pkg::NumeratorBits-1:0] numerator_y_i,
+    input  wire logic [sphere_pkg::NumeratorBits-1:0] numerator_z_i,
+    input  wire logic [sphere_pkg::SphereBits-1:0] denominator_i,  // signed
+    output logic [sphere_pkg::SphereBits-1:0] quotient_x_o,  // signed
+    output logic [sphere_pkg::SphereBits-1:0] quotient_y_o,
+    output logic [sphere_pkg::SphereBits-1:0] quotient_z_o,
+    output logic done_o
+);
+  localparam int Bits = sphere_pkg::SphereBits;
+  localparam int StepBits = (sphere_pkg::NumeratorBits + DivideClocks - 1) / DivideClocks;
+  localparam int AllBits = StepBits * DivideClocks;
+  localparam logic [5:0] LastStep = 6'(DivideClocks - 1);
+  localparam logic [Bits-1:0] Huge = {1'b0, {(Bits - 1) {1'b1}}};  // of a division by 0
+
+  typedef logic [Bits-1:0] number;
+  typedef logic [AllBits+2*Bits-1:0] lane;  // {numerator's bits to come, remainder, quotient}
+
+  logic start_q, done_q, done_d;
+  logic [5:0] step_q, step_d;  // clocks of the division that are over; 0: idle too
+  lane lane_x_q, lane_x_d, lane_y_q, lane_y_d, lane_z_q, lane_z_d;
+  number denominator_q;
+  logic [2:0] minus_q;  // z, y, x
+  number quotient_x_q, quotient_y_q, quotient_z_q;
+
+  function automatic lane loaded(input logic [sphere_pkg::NumeratorBits-1:0] numerator);
+    logic [sphere_pkg::NumeratorBits-1:0] magnitude;
+    magnitude = numerator[sphere_pkg::NumeratorBits-1] ? -numerator : numerator;
+    loaded = {AllBits'(magnitude), {2 * Bits{1'b0}}};
+  endfunction
+
+  function automatic lane divided(input lane from, input number denominator);
+    logic [AllBits-1:0] bits;
+    logic [Bits:0] remainder;
+    number quotient;
+    {bits, remainder[Bits-1:0], quotient} = from;
+    remainder[Bits] = 1'b0;
+    for (int n = 0; n < StepBits; n++) begin
+      remainder = {remainder[Bits-1:0], bits[AllBits-1]};
+      bits = bits << 1;
+      quotient = quotient << 1;
+      if (remainder >= {1'b0, denominator}) begin
+        remainder = remainder - {1'b0, denominator};
+        quotient[0] = 1'b1;
+      end
+    end
+    divided = {bits, remainder[Bits-1:0], quotient};
+  endfunction
+
+  function automatic number result(input number magnitude, input logic minus, input logic by_zero);
+    number value;
+    value = by_zero ? Huge : magnitude;
+    result = minus ? -value : value;
+  endfunction
+
+  wire logic rises = start_i && !start_q;
+  wire logic running = rises || (start_i && step_q != '0);
+  wire logic ends = running && (rises ? LastStep == '0 : step_q == LastStep);
+  wire number denominator = !rises ? denominator_q
+                            : denominator_i[Bits-1] ? -denominator_i : denominator_i;
+  wire logic minus_below = denominator_i[Bits-1];
+  wire logic [2:0] minus = !rises ? minus_q : {
+      numerator_z_i[sphere_pkg::NumeratorBits-1] ^ minus_below,
+      numerator_y_i[sphere_pkg::NumeratorBits-1] ^ minus_below,
+      numerator_x_i[sphere_pkg::NumeratorBits-1] ^ minus_below};
+
+  always_comb begin
+    lane_x_d = divided(rises ? loaded(numerator_x_i) : lane_x_q, denominator);
+    lane_y_d = divided(rises ? loaded(numerator_y_i) : lane_y_q, denominator);
+    lane_z_d = divided(rises ? loaded(numerator_z_i) : lane_z_q, denominator);
+  end
+
+  always_comb begin
+    step_d = '0;
+    if (running && !ends) step_d = rises ? 6'd1 : step_q + 1'b1;
+    done_d = start_i && (ends || (done_q && !rises));
+  end
+
+  wire logic by_zero = denominator == '0;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      start_q <= 1'b0;
+      step_q <= '0;
+      done_q <= 1'b0;
+      quotient_x_q <= '0;
+      quotient_y_q <= '0;
+      quotient_z_q <= '0;
+    end else begin
+      start_q <= start_i;
+      step_q <= step_d;
+      done_q <= done_d;
+      if (ends) begin
+        quotient_x_q <= result(lane_x_d[Bits-1:0], minus[0], by_zero);
+        quotient_y_q <= result(lane_y_d[Bits-1:0], minus[1], by_zero);
+        quotient_z_q <= result(lane_z_d[Bits-1:0], minus[2], by_zero);
+      end
+    end
+    if (running) begin
+      lane_x_q <= lane_x_d;
+      lane_y_q <= lane_y_d;
+      lane_z_q <= lane_z_d;
+      denominator_q <= denominator;
+      minus_q <= minus;
+    end
+  end
+
+  assign quotient_x_o = quotient_x_q;
+  assign quotient_y_o = quotient_y_q;
+  assign quotient_z_o = quotient_z_q;
+  assign done_o = done_q;
+endmodule
+
+`default_nettype wire
