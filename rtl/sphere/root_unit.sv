@@ -1,8 +1,7 @@
 // root_unit: square root of a 12.12 number, digit by digit.
 // Contract: sc/sphere/root_unit.h
 //
-// Digits are taken in whole rounds: the radicand has so many zeros before it that the last round
-// ends with the last digit. The registers of the digits are without reset.
+// The registers of the digits are without reset.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -20,37 +19,37 @@ module root_unit #(
     output logic [sphere_pkg::SphereBits-1:0] root_o,
     output logic done_o
 );
-  localparam int Digits = 22;  // 10 before the point, 6 of a 12.12 number's half and 6 more
+  localparam int Digits = 22;  // 16 of a 12.12 number with 8 zeros before it, and 6 more
   localparam int Rounds = (Digits + RootBitsPerClock - 1) / RootBitsPerClock;
-  localparam int PairBits = 2 * Rounds * RootBitsPerClock;
+  localparam int Rest = Digits - (Rounds - 1) * RootBitsPerClock;  // digits of the last round
+  localparam int RestBits = 32;
   localparam int RootBits = 18;  // the others are 0
   localparam logic [4:0] LastStep = 5'(Rounds + 1);
 
   logic start_q, done_q, done_d;
   logic [4:0] step_q, step_d;  // 0: idle, 1: loads, from 2 on: digits
-  logic [PairBits-1:0] pairs_q, pairs_d;  // two bits for each digit to come
-  logic [RootBits+2:0] remainder_q, remainder_d;
-  logic [RootBits-1:0] digits_q, digits_d;
+  logic [RestBits-1:0] rest_q, rest_d;  // of the radicand: the next two bits on top
+  logic [RootBits+2:0] remainder_q, remainder_d, trial;
+  logic [RootBits-1:0] found_q, found_d;
   logic [RootBits-1:0] root_q, root_d;
 
   always_comb begin
-    pairs_d = pairs_q;
+    rest_d = rest_q;
     remainder_d = remainder_q;
-    digits_d = digits_q;
-    for (int n = 0; n < RootBitsPerClock; n++) begin
-      remainder_d = {remainder_d[RootBits:0], pairs_d[PairBits-1-:2]};
-      pairs_d = pairs_d << 2;
-      if (remainder_d >= {1'b0, digits_d, 2'b01}) begin
-        remainder_d = remainder_d - {1'b0, digits_d, 2'b01};
-        digits_d = {digits_d[RootBits-2:0], 1'b1};
-      end else begin
-        digits_d = {digits_d[RootBits-2:0], 1'b0};
+    found_d = found_q;
+    trial = '0;
+    for (int n = 0; n < RootBitsPerClock; n++)
+      if (n < Rest || step_q != LastStep) begin
+        remainder_d = {remainder_d[RootBits:0], rest_d[RestBits-1-:2]};
+        rest_d = rest_d << 2;
+        trial = {1'b0, found_d, 2'b01};
+        found_d = {found_d[RootBits-2:0], remainder_d >= trial};
+        if (found_d[0]) remainder_d = remainder_d - trial;
       end
-    end
     if (step_q == 5'd1) begin
-      pairs_d = PairBits'({radicand_i, 12'd0});
+      rest_d = RestBits'(radicand_i);
       remainder_d = '0;
-      digits_d = '0;
+      found_d = '0;
     end
   end
 
@@ -66,7 +65,7 @@ module root_unit #(
     end else if (step_q == LastStep) begin
       step_d = '0;
       done_d = 1'b1;
-      root_d = digits_d;
+      root_d = found_d;
     end else begin
       step_d = step_q + 1'b1;
     end
@@ -84,9 +83,11 @@ module root_unit #(
       done_q <= done_d;
       root_q <= root_d;
     end
-    pairs_q <= pairs_d;
-    remainder_q <= remainder_d;
-    digits_q <= digits_d;
+    if (start_i && step_q != '0) begin
+      rest_q <= rest_d;
+      remainder_q <= remainder_d;
+      found_q <= found_d;
+    end
   end
 
   assign root_o = sphere_pkg::SphereBits'(root_q);

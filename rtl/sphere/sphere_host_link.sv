@@ -61,8 +61,8 @@ module sphere_host_link #(
   localparam index Most = sphere_pkg::SphereIndexBits'(TableEntries - 1);
   localparam logic [15:0] Patience = 16'(sphere_pkg::HostPatience);
 
-  logic valid_q, taken_q, taken_d;  // valid_i in the clock before; it was taken
-  logic known_q, known_d;  // there is a CPU
+  logic waiting_q, taken_q, taken_d;  // valid_i was 1, and not taken; and taken
+  logic answered_q, answered_d;  // a CPU sent something
   logic [15:0] patience_q, patience_d;
   index count_q, count_d;  // entries of this picture
   logic loaded_q, loaded_d, fault_q, fault_d, write_q, write_d;
@@ -72,7 +72,7 @@ module sphere_host_link #(
   // --- Who gives an entry in this clock --------------------------------------------------------
   wire logic listens = host_i && !loaded_q;
   wire logic cpu = listens && valid_i && !taken_q;
-  wire logic built_in = listens && !cpu && !known_q && patience_q == Patience;
+  wire logic built_in = listens && !cpu && !answered_q && patience_q == Patience;
 
   wire index wanted = cpu ? sphere_i[7:4] : scene_i ? 4'd1 : 4'd4;
   wire index spheres = 32'(wanted) >= TableEntries ? Most : wanted;
@@ -122,23 +122,23 @@ module sphere_host_link #(
     if (loaded_q) count_d = '0;
     else if (cpu || built_in) count_d = count_q + 1'b1;
     fault_d = (cpu && (is_last ? 32'(sphere_i[7:4]) >= TableEntries : too_high))
-        || (valid_q && !taken_q && !valid_i);
+        || (waiting_q && !valid_i);
     taken_d = valid_i && (taken_q || cpu);
-    known_d = known_q || cpu;
+    answered_d = answered_q || cpu;
     patience_d = patience_q;
-    if (listens && !known_q && patience_q != Patience) patience_d = patience_q + 1'b1;
+    if (listens && patience_q != Patience) patience_d = patience_q + 1'b1;
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {valid_q, taken_q, known_q, loaded_q, fault_q, write_q} <= '0;
+      {waiting_q, taken_q, answered_q, loaded_q, fault_q, write_q} <= '0;
       patience_q <= '0;
       {count_q, index_q, last_q} <= '0;
       entry_q <= '0;
     end else begin
-      valid_q <= valid_i;
+      waiting_q <= valid_i && !taken_d;
       taken_q <= taken_d;
-      known_q <= known_d;
+      answered_q <= answered_d;
       loaded_q <= loaded_d;
       fault_q <= fault_d;
       write_q <= write_d;

@@ -78,7 +78,7 @@ struct divider_unit_core {
     done_q = true;
   }
 
-  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  /// Calls visit(name, bits, read) for each register; the RTL has a lane in one.
   template <class Visit>
   void each_register(Visit&& visit) const {
     visit("start_q", 1, [this] { return start_q; });
@@ -92,7 +92,7 @@ struct divider_unit_core {
       visit(element("remainder_q", n), SphereBits + 1, [l] { return l->remainder; });
       visit(element("found_q", n), SphereBits, [l] { return l->found; });
       visit(element("minus_q", n), 1, [l] { return l->minus; });
-      visit(element("quotient_q", n), SphereBits, [l] { return l->quotient; });
+      visit(std::string("quotient_") + "xyz"[n] + "_q", SphereBits, [l] { return l->quotient; });
     }
   }
 

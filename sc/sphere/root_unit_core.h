@@ -14,7 +14,7 @@
 namespace racebeam {
 
 struct root_unit_core {
-  static constexpr int Digits = 22;
+  static constexpr int Digits = 22, RootBits = 18;  // the first four are 0
 
   bool start_q = false, done_q = false;
   bool load_q = false;       // the radicand is loaded at the next edge
@@ -61,7 +61,7 @@ struct root_unit_core {
     start_q = true;
   }
 
-  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  /// Calls visit(name, bits, read) for each register; the RTL counts steps instead of digits.
   template <class Visit>
   void each_register(Visit&& visit) const {
     visit("start_q", 1, [this] { return start_q; });
@@ -69,8 +69,8 @@ struct root_unit_core {
     visit("load_q", 1, [this] { return load_q; });
     visit("digits_q", 5, [this] { return digits_q; });
     visit("rest_q", 32, [this] { return rest_q; });
-    visit("remainder_q", 24, [this] { return remainder_q; });
-    visit("found_q", Digits, [this] { return found_q; });
+    visit("remainder_q", RootBits + 3, [this] { return remainder_q; });
+    visit("found_q", RootBits, [this] { return found_q; });
     visit("root_q", SphereBits, [this] { return root_q; });
   }
 

@@ -72,7 +72,7 @@ void sphere_chip::bind_inputs() {
     u.origin_o.bind(origin);
     u.light_o.bind(light);
     u.max_reflections_o(max_reflections);
-    u.alias_o(alias);
+    u.alias_o(aliasing);
     u.narrow_o(narrow);
     u.planes_o(planes);
     u.screen_o(screen);
@@ -149,7 +149,7 @@ void sphere_chip::bind_tables() {
     u.green_o(plane_green);
     u.blue_o(plane_blue);
     u.reflect_o(plane_reflect);
-    u.checker_o(checker);
+    u.checker_o(plane_checker);
     u.limited_o(limited);
     u.limit_o.bind(limit);
     u.last_o(plane_last);
@@ -211,7 +211,7 @@ void sphere_chip::bind_arithmetic() {
     u.direct_i(direct);
     u.sub_i(sub);
     u.weight_o(weight);
-    u.alias_i(alias);
+    u.alias_i(aliasing);
     u.word_o(word);
   }
 }
@@ -224,7 +224,7 @@ void sphere_chip::bind_tracer() {
     u.origin_i.bind(origin);
     u.light_i.bind(light);
     u.max_reflections_i(max_reflections);
-    u.alias_i(alias);
+    u.alias_i(aliasing);
     u.narrow_i(narrow);
     u.planes_i(planes);
     u.picture_done_o(picture_done);
@@ -251,7 +251,7 @@ void sphere_chip::bind_tracer() {
     u.plane_green_i(plane_green);
     u.plane_blue_i(plane_blue);
     u.plane_reflect_i(plane_reflect);
-    u.checker_i(checker);
+    u.checker_i(plane_checker);
     u.limited_i(limited);
     u.limit_i.bind(limit);
     u.plane_last_i(plane_last);

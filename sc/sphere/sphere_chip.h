@@ -1,10 +1,10 @@
 // sphere_chip: the sphere tracer's units, vga_timing and the frame store, wired with signals under
 // one clock; the `signal` level.
 //
-// A wire carries the name of the port that drives it, without its suffix. Instances are named
-// u_<unit>. The only logic of its own: `sync`, hsync or vsync is low, and `blank`, no visible
-// pixel. The raster and the frame store's beam side follow rst_ni, all other units u_sphere_inputs'
-// rst_n.
+// A wire carries the name of the port that drives it, without its suffix, but for aliasing and
+// plane_checker: SystemVerilog keeps alias and checker for itself. Instances are named u_<unit>.
+// The only logic of its own: `sync`, hsync or vsync is low, and `blank`, no visible pixel. The
+// raster and the frame store's beam side follow rst_ni, all other units u_sphere_inputs' rst_n.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -68,7 +68,7 @@ class sphere_chip final : public sc_core::sc_module {
   // sphere_inputs
   wire<1> rst_n{"rst_n"};
   axes_wire<SphereBits> origin{"origin"}, light{"light"};
-  wire<2> max_reflections{"max_reflections"}, alias{"alias"};
+  wire<2> max_reflections{"max_reflections"}, aliasing{"aliasing"};
   wire<1> narrow{"narrow"}, planes{"planes"}, scene{"scene"};
   wire<SphereBits> screen{"screen"};
   // sphere_host_link
@@ -95,7 +95,7 @@ class sphere_chip final : public sc_core::sc_module {
   wire<SphereColourBits> plane_red{"plane_red"}, plane_green{"plane_green"},
       plane_blue{"plane_blue"};
   wire<UnitBits> plane_reflect{"plane_reflect"};
-  wire<4> checker{"checker"};
+  wire<4> plane_checker{"plane_checker"};
   wire<1> limited{"limited"}, plane_empty{"plane_empty"};
   axes_wire<UnitBits> limit{"limit"};
   wire<PlaneIndexBits> plane_last{"plane_last"};

@@ -68,7 +68,7 @@ struct sphere_host_link_core {
     waiting_q = in.cpu.valid && !taken_q;
   }
 
-  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  /// Calls visit(name, bits, read) for each register but the fields, as the RTL has them.
   template <class Visit>
   void each_register(Visit&& visit) const {
     visit("waiting_q", 1, [this] { return waiting_q; });
@@ -77,6 +77,10 @@ struct sphere_host_link_core {
     visit("patience_q", 16, [this] { return patience_q; });
     visit("count_q", SphereIndexBits, [this] { return count_q; });
     visit("loaded_q", 1, [this] { return loaded_q; });
+    visit("fault_q", 1, [this] { return fault_q; });
+    visit("write_q", 1, [this] { return write_q.write; });
+    visit("index_q", SphereIndexBits, [this] { return write_q.index; });
+    visit("last_q", SphereIndexBits, [this] { return write_q.last; });
   }
 
  private:

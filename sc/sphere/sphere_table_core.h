@@ -30,7 +30,7 @@ struct sphere_table_core {
     last_q = in.last;
   }
 
-  /// Calls visit(name, bits, read) for each register, as the RTL has them.
+  /// Calls visit(name, bits, read) for each register; the RTL has an entry in one.
   template <class Visit>
   void each_register(Visit&& visit, const sphere_knobs& k) const {
     visit("last_q", SphereIndexBits, [this] { return last_q; });

@@ -122,7 +122,7 @@ bool sphere_tracer_core::last_of_picture(const inputs& in, const sphere_knobs& k
 bool sphere_tracer_core::keeps_plane(const inputs& in) const {
   const int t = in.quotient[0];
   if (t <= NearestPlane) return false;
-  if (shadow_q ? t > length_q << 4 : hit_q && t >= (t_q & low_bits(SphereBits))) return false;
+  if (shadow_q ? t > distance() : hit_q && t >= (t_q & low_bits(SphereBits))) return false;
   if (!in.plane.limited) return true;
   const vec3 p = sum_of(start(), in.vector.product);
   for (int n = 0; n < 3; ++n)
@@ -373,7 +373,7 @@ void sphere_tracer_core::clock(const inputs& in, const sphere_knobs& k) {
       take_discriminant(in);
       if (behind_q) next_sphere();
       else if (own_sphere() || inside_q) state_q = SphereAdd;
-      else if (beyond_light()) next_sphere();
+      else if (tca_q > distance()) next_sphere();
       else state_q = SphereShadowChord;
       break;
     case SphereShadowChord:

@@ -127,9 +127,9 @@ struct sphere_tracer_core {
     visit("root_start_q", 1, [this] { return root_start_q; });
     visit("divider_start_q", 1, [this] { return divider_start_q; });
     visit("fraction_q", UnitBits, [this] { return fraction_q; });
-    visit("base_red_q", SphereColourBits, [this] { return base_q[0]; });
-    visit("base_green_q", SphereColourBits, [this] { return base_q[1]; });
-    visit("base_blue_q", SphereColourBits, [this] { return base_q[2]; });
+    visit("base_q", 3 * SphereColourBits, [this] {
+      return (base_q[0] << SphereColourBits | base_q[1]) << SphereColourBits | base_q[2];
+    });
     visit("dark_q", 1, [this] { return dark_q; });
     visit("reflect_q", UnitBits, [this] { return reflect_q; });
   }
@@ -146,7 +146,7 @@ struct sphere_tracer_core {
   bool no_shadow_test(const inputs& in, const sphere_knobs& k) const {
     return object_q == in.sphere_last || !k.shadow_rays;
   }
-  bool beyond_light() const { return tca_q > length_q << 4; }
+  int distance() const { return wrap24(length_q << 4); }  // to the light
   bool own_sphere() const { return !hit_plane_q && object_q == hit_index_q; }
   bool keeps_plane(const inputs& in) const;
 

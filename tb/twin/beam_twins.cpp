@@ -3,7 +3,6 @@
 #include "tb/twin/beam_twins.h"
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -11,24 +10,12 @@
 #include "sc/base/fixed_point.h"
 #include "sc/beam/knob_parameters.h"
 #include "sc/beam/scene_program.h"
-#include "sc/swap/rtl_library.h"
 #include "tb/scene/program_tables.h"
-#include "tb/verilate/cache_folder.h"
+#include "tb/twin/table_file.h"
 
 namespace racebeam {
 
 namespace {
-
-/// "file" that holds `text`, for $readmemh.
-std::string table_file(const std::string& text) {
-  const std::string file = cached(content_key({text}) + ".hex", [&](const std::string& fresh) {
-    std::ofstream out(fresh);
-    out << text;
-    out.close();
-    if (!out) throw RtlError("cannot write " + fresh + "; is the disk full?");
-  });
-  return "\"" + file + "\"";
-}
 
 std::vector<PluginMaker::Setting> tables(const std::string& unit, const scene_program* program) {
   if (!program) return {};

@@ -10,24 +10,12 @@
 
 #include "tests/sphere/four_pixels.h"
 #include "tests/sphere/four_scene.h"
+#include "tests/sphere/picture_checksum.h"
 
 namespace racebeam {
 namespace {
 
 constexpr int Size512 = 1 << 5, Reflections3 = 3 << 2, Key2 = 15 & ~4;
-
-/// FNV-1a over the words, row by row, low byte first.
-std::uint32_t checksum(const sphere_core& core) {
-  const auto words = core.picture();
-  std::uint32_t hash = 2166136261u;
-  for (int y = 0; y < core.rows(); ++y)
-    for (int x = 0; x < core.columns(); ++x) {
-      const auto word = words[static_cast<std::size_t>(core.address(x, y))];
-      for (const auto byte : {word & 255, word >> 8 & 255})
-        hash = (hash ^ static_cast<std::uint32_t>(byte)) * 16777619u;
-    }
-  return hash;
-}
 
 struct Sums {
   std::uint64_t clocks, rays, shadow_rays, roots, sphere_tests, passes, overflows;
@@ -47,7 +35,7 @@ void expect_picture(const sphere_board& board, const Sums& sums) {
   EXPECT_EQ(n.sphere_tests, sums.sphere_tests);
   EXPECT_EQ(n.passes, sums.passes);
   EXPECT_EQ(n.overflows, sums.overflows);
-  EXPECT_EQ(checksum(core), sums.checksum);
+  EXPECT_EQ(picture_checksum(core.picture(), core.columns(), core.rows()), sums.checksum);
   EXPECT_EQ(n.words, 245760u);
   EXPECT_EQ(n.buffer_stalls, 0u);
   EXPECT_EQ(n.buffer_lost, 0u);
