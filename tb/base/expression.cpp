@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <regex>
 
 #include "tb/base/errors.h"
+#include "tb/base/text_pattern.h"
 
 namespace racebeam {
 
@@ -103,16 +103,12 @@ struct Expression::Parser {
 
   // The words become their values.
   std::string with_numbers(const std::string& given) const {
-    static const std::regex compared(R"(([A-Za-z_][\w.\[\]]*)(\s*[!=]=\s*)([A-Za-z_]\w*))");
-    std::string result;
-    auto rest = given.cbegin();
-    for (std::smatch match; std::regex_search(rest, given.cend(), match, compared);) {
-      result.append(rest, match[3].first);
-      rest = match[3].second;
+    static const TextPattern compared(R"(([A-Za-z_][\w.\[\]]*)(\s*[!=]=\s*)([A-Za-z_]\w*))");
+    return compared.replaced(given, [this](const TextPattern::Groups& match) {
       const auto* words = names.words(match[1]);
-      result += words ? std::to_string(value_of(match[3], match[1], *words)) : match[3].str();
-    }
-    return result.append(rest, given.cend());
+      return words ? match[1] + match[2] + std::to_string(value_of(match[3], match[1], *words))
+                   : match[0];
+    });
   }
 
   long value_of(const std::string& word, const std::string& name,

@@ -10,9 +10,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <regex>
 #include <set>
 #include <system_error>
+
+#include "tb/base/text_pattern.h"
 
 namespace racebeam {
 
@@ -42,14 +43,15 @@ std::string owner_mark() { return machine() + "-" + std::to_string(getpid()); }
 void remove_leftovers(const std::string& folder) {
   static std::set<std::string> seen;
   if (!seen.insert(folder).second) return;
-  const std::regex name("\\..*\\." + machine() + "-([0-9]{1,9})-[0-9]+(\\..*)?");
+  const TextPattern name("\\..*\\." + machine() + "-([0-9]{1,9})-[0-9]+(\\..*)?");
   std::error_code error;
-  std::smatch owner;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string file = at->path().filename().string();
-    if (file[0] != '.' || !std::regex_match(file, owner, name)) continue;
+    if (file[0] != '.') continue;
+    const TextPattern::Groups owner = name.match(file);
+    if (owner.empty()) continue;
     if (!at->is_regular_file(error)) continue;
-    if (kill(std::atoi(owner[1].str().c_str()), 0) == 0 || errno != ESRCH) continue;
+    if (kill(std::atoi(owner[1].c_str()), 0) == 0 || errno != ESRCH) continue;
     std::error_code ignored;
     fs::remove(at->path(), ignored);
   }

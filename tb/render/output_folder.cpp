@@ -3,11 +3,11 @@
 #include "tb/render/output_folder.h"
 
 #include <algorithm>
-#include <regex>
 #include <system_error>
 
 #include "tb/base/errors.h"
 #include "tb/base/output_file.h"
+#include "tb/base/text_pattern.h"
 #include "tb/base/whole_file.h"
 #include "tb/picture/picture_format.h"
 
@@ -94,9 +94,9 @@ void OutputFolder::abandon() const {
 }
 
 bool OutputFolder::owns(const std::string& name) {
-  static const std::regex picture(R"((frame|difference|overlay_[a-z]+)_[0-9]+\.[a-z]+)");
+  static const TextPattern picture(R"((frame|difference|overlay_[a-z]+)_[0-9]+\.[a-z]+)");
   return name == ManifestName || name == StatsName ||
-         (std::regex_match(name, picture) && format_of_file(name));
+         (picture.matches(name) && format_of_file(name));
 }
 
 }  // namespace racebeam

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 #include <vector>
 
 #include "sc/base/constants.h"
 #include "tb/base/counted.h"
 #include "tb/base/reset_value.h"
+#include "tb/base/text_pattern.h"
 
 namespace racebeam {
 
@@ -222,8 +222,10 @@ std::string difference_hints(const Difference& d) {
 }
 
 std::string in_colour(const std::string& text) {
-  static const std::regex marked(fmt::format("(^|\\s)({}[0-9a-f]+)(?=\\s|$)", DifferenceMark));
-  return std::regex_replace(text, marked, "$1\x1b[1;31m$2\x1b[0m");
+  static const TextPattern marked(fmt::format("(^|\\s)({}[0-9a-f]+)(?=\\s|$)", DifferenceMark));
+  return marked.replaced(text, [](const TextPattern::Groups& found) {
+    return found[1] + "\x1b[1;31m" + found[2] + "\x1b[0m";
+  });
 }
 
 }  // namespace racebeam

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <sstream>
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
+#include "tb/base/text_pattern.h"
 #include "tb/verilate/run_tool.h"
 
 namespace racebeam {
@@ -35,12 +35,11 @@ bool brings(const RtlSources& sources, const fs::path& package) {
 
 /// The project's packages, *_pkg.sv, but for those that the sources bring.
 std::vector<std::string> missing_packages(const RtlSources& sources) {
-  static const std::regex Package(".*_pkg\\.sv");
+  static const TextPattern Package(".*_pkg\\.sv");
   std::vector<std::string> packages;
   for (const std::string& folder : rtl_folders())
     for (const auto& entry : fs::directory_iterator(folder))
-      if (std::regex_match(entry.path().filename().string(), Package) &&
-          !brings(sources, entry.path()))
+      if (Package.matches(entry.path().filename().string()) && !brings(sources, entry.path()))
         packages.push_back(absolute(entry.path().string()));
   std::sort(packages.begin(), packages.end());
   return packages;
@@ -49,10 +48,10 @@ std::vector<std::string> missing_packages(const RtlSources& sources) {
 /// Adds the names of warnings that later versions know to Verilator's options, if it complained of
 /// such in comments of the source.
 bool allow_unknown_lint(std::vector<std::string>& words, const std::string& messages) {
-  static const std::regex Unknown("Unknown verilator lint message code: '([A-Za-z0-9_]+)'");
+  static const TextPattern Unknown("Unknown verilator lint message code: '([A-Za-z0-9_]+)'");
   const std::size_t before = words.size();
-  for (std::sregex_iterator at(messages.begin(), messages.end(), Unknown), end; at != end; ++at) {
-    const std::string word = "-Wfuture-" + (*at)[1].str();
+  for (const TextPattern::Groups& found : Unknown.all(messages)) {
+    const std::string word = "-Wfuture-" + found[1];
     if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
   }
   return words.size() > before;
@@ -143,14 +142,13 @@ std::string write_rtl_classes(const RtlSources& sources, const std::string& work
 }
 
 std::vector<std::string> circular_signals(const std::string& messages) {
-  static const std::regex Message(
+  static const TextPattern Message(
       "%Warning-UNOPTFLAT: (.*):([0-9]+):[0-9]+: .*Circular combinational logic: '([^']*)'");
   std::vector<std::string> signals;
   std::istringstream lines(messages);
-  std::smatch found;
   for (std::string line; std::getline(lines, line);)
-    if (std::regex_search(line, found, Message))
-      signals.push_back(found[1].str() + ":" + found[2].str() + " " + found[3].str());
+    if (const TextPattern::Groups found = Message.search(line); !found.empty())
+      signals.push_back(found[1] + ":" + found[2] + " " + found[3]);
   return signals;
 }
 
