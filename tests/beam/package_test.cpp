@@ -7,8 +7,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <string>
+
+#include "tb/base/text_pattern.h"
 
 namespace racebeam {
 namespace {
@@ -18,25 +19,24 @@ using Table = std::map<std::string, std::string>;
 
 std::string text_of(const std::string& file) {
   std::ifstream in(RACEBEAM_SOURCE_DIR "/" + file);
-  return std::regex_replace(std::string(std::istreambuf_iterator<char>(in), {}),
-                            std::regex("//[^\n]*"), "");
+  return TextPattern("//[^\n]*")
+      .replaced(std::string(std::istreambuf_iterator<char>(in), {}),
+                [](const TextPattern::Groups&) { return ""; });
 }
 
 Table found(const std::string& text, const std::string& pattern) {
   Table all;
-  const std::regex constant(pattern);
-  for (std::sregex_iterator at(text.begin(), text.end(), constant), end; at != end; ++at)
-    EXPECT_TRUE(all.emplace((*at)[1], (*at)[2]).second) << (*at)[1] << " twice";
+  for (const TextPattern::Groups& constant : TextPattern(pattern).all(text))
+    EXPECT_TRUE(all.emplace(constant[1], constant[2]).second) << constant[1] << " twice";
   return all;
 }
 
 /// "corner_op.CornerHold": "0"; `declared` has the enum's name and then its body, in some order.
 Table enumerators(const std::string& text, const std::string& declared, int name, int body) {
   Table all;
-  const std::regex whole(declared);
-  for (std::sregex_iterator at(text.begin(), text.end(), whole), end; at != end; ++at)
-    for (const auto& [each, value] : found((*at)[body], R"((\w+) = (?:\d'd)?(\d+))"))
-      all[(*at)[name].str() + "." + each] = value;
+  for (const TextPattern::Groups& whole : TextPattern(declared).all(text))
+    for (const auto& [each, value] : found(whole[body], R"((\w+) = (?:\d'd)?(\d+))"))
+      all[whole[name] + "." + each] = value;
   return all;
 }
 

@@ -11,7 +11,6 @@
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 using Words = std::vector<std::string>;
@@ -37,7 +36,7 @@ class CliAgainstTest : public testing::Test {
   std::string changed(int frame, const std::string& other) {
     return file(std::string(all).replace(place(frame), Both, other));
   }
-  json against(const Words& words, int code) {
+  Json against(const Words& words, int code) {
     Program run(folder.path(), words);
     EXPECT_EQ(run.wait(), code) << run.err();
     return run.json()["against"];
@@ -61,11 +60,11 @@ class CliAgainstTest : public testing::Test {
 
 // Every 213th frame: some of each part, and of every scene of the parts that change it twice a bar.
 TEST_F(CliAgainstTest, FramesAllOverTheDemoAreTheTapedOutChips) {
-  const json found = against(
+  const Json found = against(
       render({"demo"}, "demo", {"--frames", "61", "--every", "213", "--jobs", "2", "--json"}), 0);
   EXPECT_EQ(found["compared"], 61);
   EXPECT_EQ(found["equal"], 61);
-  EXPECT_EQ(found["missing"], json::array());
+  EXPECT_EQ(found["missing"], Json::array());
   EXPECT_TRUE(found["first"].is_null());
 }
 
@@ -98,7 +97,7 @@ TEST_F(CliAgainstTest, TheFirstWrongFrameIsToldWithBothValues) {
 
 TEST_F(CliAgainstTest, ThePinsAloneMayDiffer) {
   const std::string wrong = checksums(3).substr(0, 8) + ",00000001";
-  const json found = against(render({"demo"}, changed(3, wrong), {"--frames", "5", "--json"}), 1);
+  const Json found = against(render({"demo"}, changed(3, wrong), {"--frames", "5", "--json"}), 1);
   EXPECT_EQ(found["first"]["frame"], 3);
   EXPECT_FALSE(found["first"].contains("image_crc32"));
   EXPECT_EQ(found["first"]["pins_crc32"]["expected"], "00000001");
@@ -138,7 +137,7 @@ TEST_F(CliAgainstTest, FilesAreWrittenOnlyWhenAskedFor) {
   EXPECT_THAT(check.err(), Not(HasSubstr("wrote")));
   Program files(folder.path(), render({"demo"}, "demo", {"-o", "out"}));
   EXPECT_EQ(files.wait(), 0) << files.err();
-  EXPECT_EQ(json::parse(read_file(folder / "out/stats.json"))["against"]["equal"], 1);
+  EXPECT_EQ(read_json(folder / "out/stats.json")["against"]["equal"], 1);
 }
 
 }  // namespace

@@ -82,13 +82,14 @@ class CliDifferenceTest : public CliTraceBench {
 TEST_F(CliDifferenceTest, TheWaveformOfVerifyLiesOnTheTimeAxisOfItsFrame) {
   write_faulty_stacks();
   ASSERT_EQ(run({"verify", "stacks=mine.sv", "--frames", "3", "--random", "0", "--json"}), 1);
-  const auto first = nlohmann::json::parse(out)["units"][0]["first"];
+  const auto first = Json::parse(out)["units"][0]["first"];
   const auto place = first["place"];
+  const std::uint64_t difference =
+      ordinal(place["frame"].get<int>(), place["line"].get<int>(), place["clock"].get<int>());
   const Wave verified(folder / "racebeam_verify/stacks_chip.vcd");
   expect_difference_on_top("racebeam_verify/stacks_chip.gtkw", verified, "chip.u_stacks",
-                           first["port"]);
-  EXPECT_EQ(saved("racebeam_verify/stacks_chip.gtkw").marker,
-            ordinal(place["frame"], place["line"], place["clock"]) * Period);
+                           first["port"].get<std::string>());
+  EXPECT_EQ(saved("racebeam_verify/stacks_chip.gtkw").marker, difference * Period);
 
   const auto at = [](std::uint64_t clock) {
     return place_at(static_cast<std::int64_t>(clock), LineClocks).text();
@@ -97,7 +98,6 @@ TEST_F(CliDifferenceTest, TheWaveformOfVerifyLiesOnTheTimeAxisOfItsFrame) {
                              at(verified.end / Period - 1), "--use", "stacks=lockstep:mine.sv"});
   EXPECT_EQ(traced.begin, verified.begin);
   EXPECT_EQ(traced.end, verified.end);
-  const std::uint64_t difference = ordinal(place["frame"], place["line"], place["clock"]);
   EXPECT_EQ(verified.begin / Period, difference < 255 ? 0 : difference - 255);
   EXPECT_EQ(verified.end / Period, difference + 1 + 64);
   int compared = 0;
@@ -114,11 +114,11 @@ TEST_F(CliDifferenceTest, TheWaveformOfVerifyLiesOnTheTimeAxisOfItsFrame) {
 TEST_F(CliDifferenceTest, RandomTrafficHasAnAxisOfItsOwn) {
   write_faulty_stacks();
   ASSERT_EQ(run({"verify", "stacks=mine.sv", "--frames", "0", "--random", "20000", "--json"}), 1);
-  const auto first = nlohmann::json::parse(out)["units"][0]["first"];
+  const auto first = Json::parse(out)["units"][0]["first"];
   const Wave wave(folder / "racebeam_verify/stacks_random.vcd");
   expect_difference_on_top("racebeam_verify/stacks_random.gtkw", wave, "chip.u_stacks",
-                           first["port"]);
-  const std::uint64_t clock = first["clock"];
+                           first["port"].get<std::string>());
+  const auto clock = first["clock"].get<std::uint64_t>();
   const std::uint64_t marker = saved("racebeam_verify/stacks_random.gtkw").marker;
   EXPECT_EQ(marker, clock * Period);
   EXPECT_EQ(wave["chip.clock"].number(marker), clock);

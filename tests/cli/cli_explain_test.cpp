@@ -10,7 +10,6 @@
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -45,23 +44,23 @@ TEST(CliExplain, JsonStepsAddUpToTheCost) {
   Program program(folder.path(),
                   {"explain", "demo", "--frame", "7223", "--pixel", "200,100", "--json"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  const json j = program.json();
+  const Json j = program.json();
   EXPECT_EQ(j.at("schema"), "racebeam-explain");
   EXPECT_EQ(j.at("version"), 1);
   EXPECT_EQ(j.at("line"), -140);
   EXPECT_EQ(j.at("pixel"), 199);
   EXPECT_EQ(j.at("shown_clock"), 721);
-  const json& interval = j.at("interval");
+  const Json& interval = j.at("interval");
   EXPECT_LE(interval.at("first"), j.at("pixel"));
   EXPECT_GE(interval.at("last"), j.at("pixel"));
   int clocks = 0, decisions = 0;
-  for (const json& step : interval.at("steps")) {
+  for (const Json& step : interval.at("steps").elements()) {
     clocks += step.at("clocks").get<int>();
     decisions += step.at("decision").get<bool>();
   }
   EXPECT_EQ(interval.at("cost").at("clocks"), clocks);
   EXPECT_EQ(interval.at("cost").at("decisions"), decisions);
-  EXPECT_EQ(interval.at("steps").back().at("clock"), j.at("known_clock"));
+  EXPECT_EQ(interval.at("steps").elements().back().at("clock"), j.at("known_clock"));
   EXPECT_EQ(j.at("slack"), 721 - j.at("known_clock").get<int>());
 }
 
@@ -70,9 +69,9 @@ TEST(CliExplain, NamesTheRoomsOfASceneFile) {
   Program program(folder.path(),
                   {"explain", house(), "--frame", "1500", "--pixel", "320,240", "--json"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  const json way = program.json().at("interval").at("hit").at("way");
+  const Json way = program.json().at("interval").at("hit").at("way");
   ASSERT_FALSE(way.empty());
-  for (const json& room : way) EXPECT_FALSE(room.at("name").get<std::string>().empty());
+  for (const Json& room : way.elements()) EXPECT_FALSE(room.at("name").get<std::string>().empty());
 }
 
 TEST(CliExplain, Column0BelongsToTheFifo) {

@@ -8,6 +8,7 @@
 #include <sys/file.h>
 
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "tests/cli/program.h"
@@ -15,7 +16,6 @@
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -26,8 +26,8 @@ class CliFolderTest : public testing::Test {
  protected:
   ScratchFolder folder;
 
-  json manifest(const std::string& name = "o") const {
-    return json::parse(read_file(folder / name + "/manifest.json"));
+  Json manifest(const std::string& name = "o") const {
+    return read_json(folder / name + "/manifest.json");
   }
   /// Renders into the folder "o"; the exit code is `code`. What it says on stderr.
   std::string render(const Words& more, int code = 0) {
@@ -49,14 +49,13 @@ TEST_F(CliFolderTest, TheSameSettingsAddFrames) {
   render({"--set", "fifo_entries=12"});
   render({"--set", "fifo_entries=12", "--first", "5", "--frames", "2"});
   render({"--set", "fifo_entries=12", "--first", "6"});
-  const json all = manifest();
-  EXPECT_EQ(all["frames"], (json{0, 5, 6}));
+  const Json all = manifest();
+  EXPECT_EQ(all["frames"], (Json{0, 5, 6}));
   EXPECT_EQ(all["files"],
-            (json{"frame_0000.png", "stats.json", "frame_0005.png", "frame_0006.png"}));
+            (Json{"frame_0000.png", "stats.json", "frame_0005.png", "frame_0006.png"}));
   EXPECT_EQ(all["earlier_commands"].size(), 2);
   EXPECT_EQ(all["first_frame"], 6) << "of the last run";
-  EXPECT_EQ(json::parse(read_file(folder / "o/stats.json"))["total"]["frames"], 1)
-      << "of the last run";
+  EXPECT_EQ(read_json(folder / "o/stats.json")["total"]["frames"], 1) << "of the last run";
 }
 
 TEST_F(CliFolderTest, OtherSettingsAreRefusedWithWhatDiffers) {
@@ -85,8 +84,8 @@ TEST_F(CliFolderTest, OverwriteStartsAnew) {
   render({"--first", "7", "--set", "dr_bits=9", "--overwrite"});
   EXPECT_EQ(names(),
             (std::set<std::string>{"frame_0007.png", "manifest.json", "mine.txt", "stats.json"}));
-  EXPECT_EQ(manifest()["frames"], json{7});
-  EXPECT_EQ(manifest()["earlier_commands"], json::array());
+  EXPECT_EQ(manifest()["frames"], Json{7});
+  EXPECT_EQ(manifest()["earlier_commands"], Json::array());
 }
 
 TEST_F(CliFolderTest, TheDefaultFolderMixesNothingEither) {
@@ -106,7 +105,7 @@ TEST_F(CliFolderTest, AStrangersManifestIsNotReplaced) {
     EXPECT_EQ(read_file(folder / "o/manifest.json"), text);
   }
   render({"--overwrite"});
-  EXPECT_EQ(manifest()["frames"], json{0});
+  EXPECT_EQ(manifest()["frames"], Json{0});
 }
 
 TEST_F(CliFolderTest, PicturesWithoutAManifestAreNotReplaced) {
@@ -115,7 +114,7 @@ TEST_F(CliFolderTest, PicturesWithoutAManifestAreNotReplaced) {
   EXPECT_THAT(render({}, 2), HasSubstr("o has frame_0000.png, but no manifest.json"));
   EXPECT_EQ(read_file(folder / "o/frame_0000.png"), "a photograph");
   render({"--overwrite"});
-  EXPECT_EQ(manifest()["frames"], json{0});
+  EXPECT_EQ(manifest()["frames"], Json{0});
 }
 
 // The lock is the one of any process that has the folder open and locked.
@@ -147,14 +146,14 @@ TEST_F(CliFolderTest, AKilledRunFreesTheFolderAndLeavesItsSettings) {
 TEST_F(CliFolderTest, TheManifestListsWhatIsWrittenElsewhereToo) {
   render({"--gif", "o/a.gif", "--wav", "b.wav", "--sheet", "c.png", "--stats", "o/stats.json"});
   EXPECT_EQ(manifest()["files"],
-            (json{"frame_0000.png", "stats.json", "a.gif", "../b.wav", "../c.png"}));
+            (Json{"frame_0000.png", "stats.json", "a.gif", "../b.wav", "../c.png"}));
 }
 
 TEST_F(CliFolderTest, FilesOfRtlAreInTheManifestWithTheirContents) {
   const std::string rtl = RACEBEAM_SOURCE_DIR "/rtl/beam/stacks.sv";
   fs::copy(rtl, folder / "mine.sv");
   render({"--use", "stacks=mine.sv"});
-  const json unit = manifest()["units"]["stacks"];
+  const Json unit = manifest()["units"]["stacks"];
   EXPECT_EQ(unit["implementation"], "rtl");
   EXPECT_THAT(unit["files"]["mine.sv"].get<std::string>(),
               testing::MatchesRegex("xxh64 [0-9a-f]{16}"));
@@ -180,7 +179,7 @@ TEST_F(CliFolderTest, KnobsThatCountForLessAreToldAndWritten) {
   EXPECT_THAT(said, HasSubstr("max_room_depth=14 counts as 1: a room takes an entry of "
                               "face_stack_depth=2"));
   EXPECT_EQ(manifest()["knobs"]["max_room_depth"], 1);
-  EXPECT_EQ(json::parse(read_file(folder / "s.json"))["knobs"]["max_room_depth"], 1);
+  EXPECT_EQ(read_json(folder / "s.json")["knobs"]["max_room_depth"], 1);
   Program plain(folder.path(), {"render", "demo", "-o", "p"});
   EXPECT_THAT(plain.err(), Not(HasSubstr("counts as")));
 }
@@ -189,7 +188,7 @@ TEST_F(CliFolderTest, FramesBeyondTheEndAreTold) {
   EXPECT_THAT(
       render({"--first", "12798", "--frames", "3"}),
       HasSubstr("the show has frames 0..12798 and starts again: the last one is frame 1\n"));
-  EXPECT_EQ(manifest()["frames"], (json{0, 1, 12798}));
+  EXPECT_EQ(manifest()["frames"], (Json{0, 1, 12798}));
 }
 
 }  // namespace

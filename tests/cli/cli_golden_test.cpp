@@ -10,14 +10,13 @@
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 class CliGoldenTest : public testing::Test {
  protected:
   ScratchFolder folder;
-  json parse(const std::string& name) const { return json::parse(read_file(folder / name)); }
+  Json parse(const std::string& name) const { return read_json(folder / name); }
 };
 
 TEST_F(CliGoldenTest, RendersWithATracerInsteadOfTheChip) {
@@ -32,7 +31,7 @@ TEST_F(CliGoldenTest, RendersWithATracerInsteadOfTheChip) {
     EXPECT_THAT(program.out(), testing::ContainsRegex(" [1-9][0-9]{3,}  " + crc + "\n"))
         << "intervals and checksum";
     EXPECT_THAT(program.err(), HasSubstr("wrote 2 frames in " + tracer));
-    const json stats = parse(tracer + "/stats.json");
+    const Json stats = parse(tracer + "/stats.json");
     EXPECT_EQ(stats.at("schema"), "racebeam-golden");
     EXPECT_EQ(stats.at("tracer"), tracer);
     EXPECT_EQ(stats.at("version"), 2);
@@ -46,13 +45,13 @@ TEST_F(CliGoldenTest, RendersWithATracerInsteadOfTheChip) {
 }
 
 TEST_F(CliGoldenTest, TellsWhatRaysCostOneByOne) {
-  json totals[2];
+  Json totals[2];
   for (const int clocked : {0, 1}) {
     const std::string tracer = clocked ? "trace3" : "trace2";
     Program program(folder.path(), {"render", "demo", "--first", "7167", "--frames", "2", "--jobs",
                                     "2", "--golden", tracer, "--stats", tracer + ".json"});
     ASSERT_EQ(program.wait(), 0) << program.err();
-    const json total = totals[clocked] = parse(tracer + ".json").at("total");
+    const Json total = totals[clocked] = parse(tracer + ".json").at("total");
     EXPECT_EQ(total.at("rays"), 2 * 640 * 480);
     EXPECT_EQ(total.at("crossing_decisions"), 6 * total.at("rooms_entered").get<int>());
     EXPECT_EQ(total.at("solid_decisions"), 2 * total.at("solid_hits").get<int>());
@@ -63,7 +62,7 @@ TEST_F(CliGoldenTest, TellsWhatRaysCostOneByOne) {
   }
   EXPECT_EQ(totals[0].at("decisions"), totals[1].at("decisions"));
   EXPECT_EQ(totals[0].count("clocks"), 0u);
-  const json& lines = totals[1].at("line_clocks");
+  const Json& lines = totals[1].at("line_clocks");
   EXPECT_EQ(lines.at("sum"), totals[1].at("clocks"));
   EXPECT_GT(lines.at("min"), 1600) << "no line is in time";
 }
@@ -72,8 +71,8 @@ TEST_F(CliGoldenTest, TellsHowOftenEdgesSwitch) {
   Program program(folder.path(),
                   {"render", "demo", "--first", "9500", "--golden", "trace4", "--stats", "a.json"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  const json total = parse("a.json").at("total");
-  const json& switches = total.at("switches");
+  const Json total = parse("a.json").at("total");
+  const Json& switches = total.at("switches");
   EXPECT_EQ(switches.size(), 17u);
   EXPECT_GT(switches[1], 0);
   int edges = 0;
@@ -90,18 +89,18 @@ TEST_F(CliGoldenTest, ComparesTheChipAndSaysWhy) {
                                   "300", "--golden", "compare", "-o", "o"});
   ASSERT_EQ(program.wait(), 0) << program.err();
   EXPECT_THAT(program.out(), HasSubstr("not as trace4"));
-  const json stats = parse("o/stats.json");
+  const Json stats = parse("o/stats.json");
   EXPECT_EQ(stats.at("schema"), "racebeam-stats");
   int sum = 0;
-  for (const json& frame : stats.at("frames")) {
-    const json& golden = frame.at("golden");
+  for (const Json& frame : stats.at("frames").elements()) {
+    const Json& golden = frame.at("golden");
     EXPECT_GT(golden.at("differing_pixels").at("trace4"), 0);
     EXPECT_EQ(golden.at("causes").at("unexplained"), 0);
     sum += golden.at("differing_pixels").at("trace4").get<int>();
   }
   EXPECT_EQ(stats.at("total").at("golden").at("differing_pixels").at("trace4"), sum);
   EXPECT_THAT(program.out(), HasSubstr(" " + std::to_string(sum) + "\n"));
-  const json total = stats.at("total").at("golden");
+  const Json total = stats.at("total").at("golden");
   for (const auto& [tracer, colour] :
        {std::pair{"trace4", "yellow"}, {"trace2", "cyan"}, {"geometry", "magenta"}})
     EXPECT_THAT(program.out(),
@@ -115,7 +114,7 @@ TEST_F(CliGoldenTest, ComparesTheChipAndSaysWhy) {
     }
   for (const char* name : {"difference_9279.png", "difference_9579.png"}) {
     EXPECT_EQ(read_file(folder / ("o/" + std::string(name))).substr(1, 3), "PNG");
-    EXPECT_THAT(parse("o/manifest.json").at("files"), testing::Contains(name));
+    EXPECT_THAT(parse("o/manifest.json").at("files").elements(), testing::Contains(name));
   }
 }
 

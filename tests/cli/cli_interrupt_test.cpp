@@ -113,7 +113,7 @@ TEST_F(CliInterruptTest, TermKeepsTheWholeFramesOfASlowChip) {
   start({"render", "demo", "--frames", "900", "--level", "signal", "-o", "out"});
   for (int n = 0; n < 12000 && !fs::exists(folder / "out/frame_0000.png"); ++n) usleep(10'000);
   expect_end_by(SIGTERM, "render");
-  const auto manifest = nlohmann::json::parse(read_file(folder / "out/manifest.json"));
+  const auto manifest = read_json(folder / "out/manifest.json");
   EXPECT_GE(manifest["frames_rendered"], 1);
   EXPECT_EQ(manifest["complete"], false);
 }

@@ -11,7 +11,6 @@
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 TEST(CliOverlay, MapsLieBesideTheFramesAndInTheManifest) {
@@ -19,9 +18,9 @@ TEST(CliOverlay, MapsLieBesideTheFramesAndInTheManifest) {
   Program program(folder.path(), {"render", "demo", "--first", "7223", "--overlay", "slack,cost",
                                   "--overlay", "depth", "-o", "o"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  const json manifest = json::parse(read_file(folder / "o/manifest.json"));
+  const Json manifest = read_json(folder / "o/manifest.json");
   EXPECT_EQ(manifest.at("files"),
-            (json{"frame_7223.png", "overlay_slack_7223.png", "overlay_cost_7223.png",
+            (Json{"frame_7223.png", "overlay_slack_7223.png", "overlay_cost_7223.png",
                   "overlay_depth_7223.png", "stats.json"}));
   for (const MapKind kind : MapKinds)
     EXPECT_EQ(read_rgb(folder / ("o/overlay_" + std::string(map_name(kind)) + "_7223.png")),

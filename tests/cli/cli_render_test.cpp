@@ -15,7 +15,6 @@
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 using Names = std::set<std::string>;
@@ -27,7 +26,7 @@ class CliRenderTest : public testing::Test {
  protected:
   ScratchFolder folder;
 
-  json parse(const std::string& name) const { return json::parse(read_file(folder / name)); }
+  Json parse(const std::string& name) const { return read_json(folder / name); }
   /// All files below the folder, hidden ones too.
   Names names() const {
     Names all;
@@ -35,9 +34,10 @@ class CliRenderTest : public testing::Test {
       if (!entry.is_directory()) all.insert(fs::relative(entry.path(), folder.path()).string());
     return all;
   }
-  static std::vector<int> frame_numbers(const json& stats) {
+  static std::vector<int> frame_numbers(const Json& stats) {
     std::vector<int> numbers;
-    for (const json& frame : stats.at("frames")) numbers.push_back(frame.at("frame"));
+    for (const Json& frame : stats.at("frames").elements())
+      numbers.push_back(frame.at("frame").get<int>());
     return numbers;
   }
   /// Waits until the file exists; false if it takes too long.
@@ -79,7 +79,7 @@ TEST_F(CliRenderTest, ManifestTellsHowThePicturesWereMade) {
   Program program(folder.path(), {"render", "demo", "--first", "700", "--set", "fifo_entries=12",
                                   "--set", "bisection=midpoint", "-o", "o"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  const json manifest = parse("o/manifest.json");
+  const Json manifest = parse("o/manifest.json");
   EXPECT_EQ(manifest.at("version"), RACEBEAM_VERSION);
   EXPECT_EQ(manifest.at("scene"), "demo");
   EXPECT_EQ(manifest.at("scene_hash"), "built-in");
@@ -89,8 +89,8 @@ TEST_F(CliRenderTest, ManifestTellsHowThePicturesWereMade) {
   EXPECT_EQ(manifest.at("command")[0], "racebeam");
   EXPECT_EQ(manifest.at("command")[5], "--set");
   EXPECT_EQ(manifest.at("complete"), true);
-  EXPECT_EQ(manifest.at("files"), (json{"frame_0700.png", "stats.json"}));
-  const json stats = parse("o/stats.json");
+  EXPECT_EQ(manifest.at("files"), (Json{"frame_0700.png", "stats.json"}));
+  const Json stats = parse("o/stats.json");
   EXPECT_EQ(stats.at("knobs"), manifest.at("knobs"));
   EXPECT_EQ(stats.at("frames")[0].at("fifo_fill").size(), 13);
 }
@@ -101,7 +101,7 @@ TEST_F(CliRenderTest, BothLevelsGiveTheSame) {
     Program program(folder.path(), {"render", "demo", "--first", "7223", "--level", level, "--crc",
                                     "--json", "-o", level, "--wav", level + ".wav"});
     EXPECT_EQ(program.wait(), 0) << program.err();
-    json stats = program.json();
+    Json stats = program.json();
     EXPECT_EQ(stats.at("level"), level);
     EXPECT_EQ(parse(level + "/manifest.json").at("level"), level);
     stats.erase("level");
@@ -130,7 +130,7 @@ TEST_F(CliRenderTest, PartsOfALineAddUpToItsClocks) {
     ASSERT_EQ(program.wait(), 0) << program.err();
     EXPECT_THAT(program.out(), testing::ContainsRegex("\nclocks of a line: camera [0-9.]+, .*, "
                                                       "idle [0-9.]+, in all 1600\n"));
-    const json total = parse("a.json").at("total");
+    const Json total = parse("a.json").at("total");
     long all = 0;
     for (const char* part :
          {"camera", "decide", "bisect", "walk", "enter", "return", "wait", "idle"})
@@ -145,16 +145,16 @@ TEST_F(CliRenderTest, StatisticsAddUp) {
   Program program(folder.path(), {"render", "demo", "--frames", "2", "--first", "1", "--every",
                                   "2999", "--crc", "--json", "--stats", "a.json"});
   ASSERT_EQ(program.wait(), 0) << program.err();
-  const json stats = program.json();
+  const Json stats = program.json();
   EXPECT_EQ(stats, parse("a.json"));
   EXPECT_EQ(stats.at("schema"), "racebeam-stats");
   EXPECT_EQ(stats.at("version"), 3);
   EXPECT_EQ(stats.at("engine"), "beam");
   EXPECT_EQ(stats.at("level"), "tlm");
   EXPECT_EQ(frame_numbers(stats), (std::vector<int>{1, 3000}));
-  const json& first = stats.at("frames")[0];
-  const json& second = stats.at("frames")[1];
-  const json& total = stats.at("total");
+  const Json& first = stats.at("frames")[0];
+  const Json& second = stats.at("frames")[1];
+  const Json& total = stats.at("total");
   EXPECT_EQ(first.at("part"), "pillars");
   EXPECT_EQ(second.at("part"), "heights, full ray pattern");
   EXPECT_EQ(first.at("clocks"), ClocksPerFrame);
@@ -193,7 +193,7 @@ TEST_F(CliRenderTest, AtListsTheFramesInTheirOrder) {
                                   "--stats", "a.json", "--jobs", "2"});
   ASSERT_EQ(program.wait(), 0) << program.err();
   EXPECT_EQ(frame_numbers(parse("a.json")), (std::vector<int>{3900, 60, 61, 62, 5}));
-  EXPECT_EQ(parse("out/manifest.json")["frames"], (json{5, 60, 61, 62, 3900}));
+  EXPECT_EQ(parse("out/manifest.json")["frames"], (Json{5, 60, 61, 62, 3900}));
   Program same(folder.path(), {"render", "demo", "--first", "61", "--stats", "b.json"});
   ASSERT_EQ(same.wait(), 0) << same.err();
   EXPECT_EQ(parse("a.json")["frames"][2], parse("b.json")["frames"][0]);
@@ -226,7 +226,7 @@ TEST_F(CliRenderTest, InterruptionKeepsWholeFrames) {
     program.signal(number);
     EXPECT_EQ(program.wait(), 130);
     EXPECT_THAT(program.err(), HasSubstr("stopped early; kept "));
-    const json manifest = parse(out + "/manifest.json");
+    const Json manifest = parse(out + "/manifest.json");
     const auto frames = parse(out + "/stats.json").at("frames").size();
     EXPECT_GE(frames, 2);
     EXPECT_LT(frames, 1000);

@@ -66,9 +66,9 @@ class CliRtlFaultsTest : public RtlFaultsBench, public testing::WithParamInterfa
 TEST_P(CliRtlFaultsTest, VerifyTellsItInTheRowOfTheUnit) {
   run({"verify", "ray_stepper", "stacks=mine.sv", "--frames", "1", "--random", "2000", "--json"});
   expect_told("random");
-  const auto units = nlohmann::json::parse(out)["units"];
+  const auto units = Json::parse(out)["units"];
   ASSERT_EQ(units.size(), 3u) << "the chip goes on without the unit";
-  for (const auto& unit : units) {
+  for (const auto& unit : units.elements()) {
     if (unit["unit"] == "ray_stepper") {
       EXPECT_TRUE(unit["fault"].is_null());
       EXPECT_EQ(unit["differences"], 0);
@@ -199,7 +199,7 @@ TEST_F(CliRtlEndsTest, WhatRtlPrintsGoesToStderr) {
                     "$fdisplay(32'h8000_0001, \"a handle\"); $c(\"printf(\\\"in C\\\\n\\\");\");"));
   run({"verify", "stacks=mine.sv", "--frames", "1", "--random", "1000", "--json"});
   EXPECT_EQ(code, 0) << said;
-  EXPECT_EQ(nlohmann::json::parse(out)["units"].size(), 2u);
+  EXPECT_EQ(Json::parse(out)["units"].size(), 2u);
   for (const char* words : {"hello 500\n", "and", "a handle", "in C\n"})
     EXPECT_THAT(said, HasSubstr(words));
 }
@@ -225,7 +225,7 @@ TEST_F(CliRtlEndsTest, RenderKeepsTheFramesBefore) {
     EXPECT_EQ(code, 2);
     EXPECT_THAT(said, HasSubstr("stopped early; kept 1 frame in " + to));
     EXPECT_THAT(said, HasSubstr("in clock 900000: mine.sv:"));
-    const auto manifest = nlohmann::json::parse(read_file(folder / (to + "/manifest.json")));
+    const auto manifest = read_json(folder / (to + "/manifest.json"));
     EXPECT_EQ(manifest["frames_rendered"], 1);
   }
 }

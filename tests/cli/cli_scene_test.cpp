@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/cli/program.h"
 
 namespace racebeam {
@@ -78,11 +80,11 @@ TEST_F(CliSceneTest, ShowCountsAsTextAndAsJson) {
         "frame 60       the end\n", "room 2, corner 11, camera 1 bits"})
     EXPECT_THAT(text.out(), HasSubstr(part));
   Program json(folder.path(), {"scene", "show", "a.toml", "--json"});
-  const nlohmann::json summary = json.json();
+  const Json summary = json.json();
   EXPECT_EQ(summary["schema"], "racebeam-scene");
   EXPECT_EQ(summary["rooms"], 2);
   EXPECT_EQ(summary["portals"], 1);
-  EXPECT_EQ(summary["timeline"][1], (nlohmann::json{{"frame", 60}, {"name", "the end"}}));
+  EXPECT_EQ(summary["timeline"][1], (Json{{"frame", 60}, {"name", "the end"}}));
   EXPECT_EQ(summary["deepest_view"], 1);
   EXPECT_GT(summary["worst_line"]["clocks"], 0);
 }
@@ -96,9 +98,8 @@ TEST_F(CliSceneTest, ShowEstimatesWithTheKnobsSet) {
     EXPECT_EQ(program.wait(), 0) << program.err();
     return program.json();
   };
-  const nlohmann::json plain = show({});
-  const nlohmann::json shallow =
-      show({"--set", "interval_stack_depth=1", "--set", "clocks_per_pixel=3"});
+  const Json plain = show({});
+  const Json shallow = show({"--set", "interval_stack_depth=1", "--set", "clocks_per_pixel=3"});
   EXPECT_EQ(plain["knobs"]["interval_stack_depth"], 4);
   EXPECT_EQ(shallow["knobs"]["interval_stack_depth"], 1);
   EXPECT_EQ(plain["worst_line"]["budget"], 1530);
@@ -203,17 +204,17 @@ TEST_F(CliSceneTest, NotesJudgeScenesAndTheDemo) {
 TEST_F(CliSceneTest, NotesCountWhatRenderCounts) {
   Program chip(folder.path(), {"render", "demo", "--first", "6399", "--json", "--golden", "compare",
                                "--stats", "s.json"});
-  const nlohmann::json total = chip.json()["total"];
+  const Json total = chip.json()["total"];
   Program program(folder.path(), {"scene", "notes", "demo", "--frames", "1", "-o", "n.md"});
   EXPECT_EQ(program.wait(), 0) << program.err();
   const std::string text = read_file(folder / "n.md");
-  const auto count = [](const nlohmann::json& value) { return std::to_string(value.get<int>()); };
+  const auto count = [](const Json& value) { return std::to_string(value.get<int>()); };
   for (const char* counter : {"restarts", "starved_pixels", "give_ups"})
     EXPECT_THAT(text, HasSubstr(" in a frame | " + count(total[counter]) + ".0 | " +
                                 count(total[counter]) + " | "));
   EXPECT_THAT(text, HasSubstr(" | " + count(total["busy_clocks"]["max"]) + " | frame 6399, y " +
                               count(total["busy_clocks"]["worst_line"])));
-  const nlohmann::json& golden = total["golden"];
+  const Json& golden = total["golden"];
   for (const auto& [cause, pixels] : golden["causes"].items())
     EXPECT_THAT(text, HasSubstr("| `" + cause + "` | " + count(pixels) + " | "));
   for (const auto& [tracer, pixels] : golden["differing_pixels"].items())
@@ -223,7 +224,7 @@ TEST_F(CliSceneTest, NotesCountWhatRenderCounts) {
 TEST_F(CliSceneTest, NotesAreOfTheKnobsSet) {
   Program chip(folder.path(), {"render", "demo", "--first", "6399", "--json", "--stats", "s.json",
                                "--set", "interval_stack_depth=2"});
-  const nlohmann::json total = chip.json()["total"];
+  const Json total = chip.json()["total"];
   Program program(folder.path(), {"scene", "notes", "demo", "--set", "interval_stack_depth=2",
                                   "--frames", "1", "-o", "n.md"});
   EXPECT_EQ(program.wait(), 0) << program.err();

@@ -15,7 +15,7 @@ class CliSweepShapes : public CliSweepTest {
  protected:
   /// The part of a line's figures, such as "busy_clocks.never", in the statistics of a frame; of no
   /// line at all they say null, and the store 0.
-  static std::string part_of(const nlohmann::json& line, const std::string& part) {
+  static std::string part_of(const Json& line, const std::string& part) {
     for (const std::string& name :
          part == "never" ? Words{"lines_not_done", "lines_without"} : Words{part})
       if (line.contains(name)) return line.at(name).is_null() ? "0" : line.at(name).dump();
@@ -44,14 +44,14 @@ class CliSweepShapes : public CliSweepTest {
         words.push_back(knob + "=" + point.at(knob));
       }
       expect(words, 0);
-      const auto json = nlohmann::json::parse(read_file(folder / "r.json"));
+      const auto json = read_json(folder / "r.json");
       for (std::size_t i = 0; i < rows.size(); ++i) compare(rows[i], json.at("frames").at(i));
     }
     return points;
   }
 
  private:
-  void compare(const Row& row, const nlohmann::json& frame) const {
+  void compare(const Row& row, const Json& frame) const {
     static const std::set<std::string> own = {
         "point", "scene", "kind", "digest", "error_pixels", "visible_error_pixels", "picture"};
     for (const auto& [name, value] : row) {
@@ -69,7 +69,8 @@ class CliSweepShapes : public CliSweepTest {
     Program list(folder.path(), {"knobs", "--json"});
     std::vector<std::string> names;
     const auto json = list.json();
-    for (const auto& knob : json.at("knobs")) names.push_back(knob.at("name"));
+    for (const Json& knob : json.at("knobs").elements())
+      names.push_back(knob.at("name").get<std::string>());
     return names;
   }
 

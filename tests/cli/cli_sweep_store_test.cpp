@@ -134,22 +134,22 @@ TEST_F(CliSweepStore, CheckTellsWhatCanBeReadBesideADamagedTable) {
 
 TEST_F(CliSweepStore, CsvAndJsonReadBackAsTheStoreHasThem) {
   expect({"sweep", "export", "out", "--csv", "p.csv", "--frames", "f.csv", "--json", "a.json"}, 0);
-  const auto json = nlohmann::json::parse(read_file(folder / "a.json"));
+  const auto json = read_json(folder / "a.json");
   const auto rows = read_csv(read_file(folder / "f.csv"));
-  const std::vector<std::string> columns = json.at("models").at(0).at("columns");
+  const std::vector<Json> columns = json.at("models").at(0).at("columns").elements();
   EXPECT_GT(columns.size(), 40u);
   const std::string order = " FROM frame ORDER BY scene, point, frame";
   for (std::size_t column = 0; column < columns.size(); ++column) {
-    const std::string& name = columns[column];
+    const auto name = columns[column].get<std::string>();
     const bool picture = name == "picture";
     const auto stored =
         query(store("out"),
               (picture ? "SELECT printf('%016x', picture)" : "SELECT \"" + name + "\"") + order);
     ASSERT_EQ(stored.size(), rows.size());
     std::size_t row = 0;
-    for (const auto& result : json.at("results"))
-      for (const auto& frame : result.at("frames")) {
-        const auto& value = frame.at(column + 3);
+    for (const Json& result : json.at("results").elements())
+      for (const Json& frame : result.at("frames").elements()) {
+        const Json value = frame.at(column + 3);
         EXPECT_EQ(picture ? value.get<std::string>() : value.dump(), stored.at(row));
         EXPECT_EQ(rows[row].at(name), stored.at(row)) << name;
         ++row;

@@ -24,7 +24,7 @@ TEST_F(CliSweepTest, FiguresAreThoseOfRenderFrameByFrame) {
   Program render(folder.path(), {"render", "demo", "--at", list, "--set", "interval_stack_depth=2",
                                  "--set", "hurry_threshold=32", "--stats", "r.json"});
   ASSERT_EQ(render.wait(), 0) << render.err();
-  const auto json = nlohmann::json::parse(read_file(folder / "r.json"));
+  const auto json = read_json(folder / "r.json");
   std::size_t frame = 0;
   for (const auto& row : rows) {
     if (row.at("point") != "p1") continue;

@@ -26,7 +26,7 @@ TEST_F(CliTables, KnobsListsTheWholeTable) {
   const auto all = json.json();
   auto rows = all.at("knobs");
   const std::size_t settable = rows.size();
-  for (const auto& row : all.at("scene_knobs")) rows.push_back(row);
+  for (const Json& row : all.at("scene_knobs").elements()) rows.push_back(row);
   ASSERT_EQ(rows.size(), knob_table().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const knob_info& row = knob_table()[i];
@@ -50,7 +50,7 @@ TEST_F(CliTables, UnitsListsTheWholeTable) {
   ASSERT_EQ(rows.size(), unit_table().size());
   std::map<std::string, int> shows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string name = unit_table()[i].name, rtl = rows[i].at("rtl");
+    const std::string name = unit_table()[i].name, rtl = rows[i].at("rtl").get<std::string>();
     EXPECT_EQ(rows[i].at("name"), name);
     EXPECT_EQ(rows[i].at("slot"), unit_table()[i].slot);
     EXPECT_EQ(rows[i].at("instance"), instance_of(name));
@@ -58,7 +58,7 @@ TEST_F(CliTables, UnitsListsTheWholeTable) {
     EXPECT_THAT(table.out(),
                 testing::ContainsRegex("\n" + name + " +" + instance_of(name) + " +" +
                                        rows[i].at("shows").get<std::string>() + " +" + rtl + "\n"));
-    ++shows[rows[i].at("shows")];
+    ++shows[rows[i].at("shows").get<std::string>()];
   }
   EXPECT_EQ(shows, (std::map<std::string, int>{{"all", 10}, {"demo", 2}, {"scenes", 2}}));
 }

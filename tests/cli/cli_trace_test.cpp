@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <regex>
 #include <set>
 
+#include "tb/base/text_pattern.h"
 #include "tests/cli/cli_trace_bench.h"
 #include "tests/cli/traced_window.h"
 
@@ -125,11 +125,11 @@ std::set<std::string> paths_of(const ScratchFolder& folder, const std::string& f
 
 /// A port, or a wire of the chip; not the clock, rays and the geometry of rooms.
 bool belongs_to_an_overview(const std::string& path) {
-  static const std::regex calm(
+  static const TextPattern calm(
       "beam\\.(frame|line|pixel|clock|part)|chip\\.\\w+|chip\\.u_\\w+\\.\\w+_n?[io]");
-  static const std::regex busy(
+  static const TextPattern busy(
       ".*\\.(clk_i|(x2|consume)(_[io])?|(corner|dr2|neighbour|half_size|position|look)(_.*)?)");
-  return std::regex_match(path, calm) && !std::regex_match(path, busy);
+  return calm.matches(path) && !busy.matches(path);
 }
 
 TEST_F(CliTraceTest, MoreThanAHundredLinesAreAnOverviewOfPortsAndWires) {

@@ -10,6 +10,7 @@
 #include <random>
 #include <thread>
 
+#include "tb/monitor/vga_monitor.h"
 #include "tests/cli/cli_trace_bench.h"
 #include "tests/cli/traced_chip.h"
 #include "tests/cli/transaction_account.h"

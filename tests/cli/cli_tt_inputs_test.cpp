@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/cli/program.h"
 #include "tests/support/read_picture.h"
 
@@ -92,7 +94,7 @@ TEST_F(CliTtInputsTest, ResetGivesTheInputsFromTheResetOn) {
 TEST_F(CliTtInputsTest, StatisticsTellHowManyInputsChange) {
   write("reset,0,0,1,2\n4,0,0,0,0\n");
   Program run(folder.path(), {"render", "--tt", Paddle, "--inputs", "in.csv", "--json"});
-  const nlohmann::json chip = run.json()["chip"];
+  const Json chip = run.json()["chip"];
   EXPECT_EQ(chip["ui_in"], 1);
   EXPECT_EQ(chip["uio_in"], 2);
   EXPECT_EQ(chip["input_changes"], 1);

@@ -4,13 +4,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/cli/program.h"
 #include "tests/support/read_picture.h"
 
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
@@ -98,26 +99,26 @@ TEST_F(CliTtTest, StatisticsTellSyncsPinsAndColours) {
   Program run(folder.path(), render({"--tt", Bars, "--first", "1", "--frames", "2", "--every", "2",
                                      "--uio", "5", "--crc", "--json", "-o", "out"}));
   ASSERT_EQ(run.wait(), 0) << run.err();
-  const json stats = run.json();
-  EXPECT_EQ(stats, json::parse(read_file(folder / "out/stats.json")));
+  const Json stats = run.json();
+  EXPECT_EQ(stats, read_json(folder / "out/stats.json"));
   EXPECT_EQ(stats["schema"], "racebeam-pins");
   EXPECT_EQ(stats["version"], 1);
   EXPECT_EQ(stats["chip"]["top_module"], "tt_um_bars");
   EXPECT_EQ(stats["chip"]["clock_hz"], 25175000);
   EXPECT_EQ(stats["chip"]["uio_in"], 5);
-  const json& syncs = stats["syncs"];
+  const Json& syncs = stats["syncs"];
   EXPECT_EQ(syncs["clocks_per_pixel"], 1);
   EXPECT_EQ(syncs["hsync"],
-            (json{{"period_clocks", 800}, {"pulse_clocks", 96}, {"polarity", "positive"}}));
+            (Json{{"period_clocks", 800}, {"pulse_clocks", 96}, {"polarity", "positive"}}));
   EXPECT_EQ(syncs["vsync"],
-            (json{{"period_clocks", 420000}, {"pulse_clocks", 1600}, {"polarity", "positive"}}));
+            (Json{{"period_clocks", 420000}, {"pulse_clocks", 1600}, {"polarity", "positive"}}));
   EXPECT_EQ(syncs["picture_late_clocks"], -1) << "its syncs pass a register, its colours do not";
   ASSERT_EQ(stats["frames"].size(), 2u);
   EXPECT_EQ(stats["frames"][1]["frame"], 3);
   EXPECT_EQ(stats["frames"][0]["image_crc32"], stats["frames"][1]["image_crc32"]);
-  for (const json& counts : {stats["frames"][0], stats["frames"][1], stats["total"]}) {
-    const int frames = counts.value("frames", 1);
-    const json& pins = counts["pins"];
+  for (const Json& counts : {stats["frames"][0], stats["frames"][1], stats["total"]}) {
+    const int frames = counts.contains("frames") ? counts["frames"].get<int>() : 1;
+    const Json& pins = counts["pins"];
     EXPECT_EQ(counts["clocks"], frames * 420000);
     EXPECT_EQ(counts["colours"], 8);
     EXPECT_EQ(pins["uo[7]"]["toggles"], frames * 2 * 525);
@@ -128,7 +129,7 @@ TEST_F(CliTtTest, StatisticsTellSyncsPinsAndColours) {
     EXPECT_EQ(pins["uio[1]"]["high"], 0);
     EXPECT_EQ(pins["uio[7]"]["toggles"], frames * 32);
   }
-  EXPECT_EQ(json::parse(read_file(folder / "out/manifest.json"))["scene"], Bars);
+  EXPECT_EQ(read_json(folder / "out/manifest.json")["scene"], Bars);
 }
 
 TEST_F(CliTtTest, TableTellsWhatWasFound) {
@@ -237,7 +238,7 @@ TEST_F(CliTtTest, InterruptionKeepsWholeFrames) {
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), 130);
   EXPECT_THAT(run.err(), HasSubstr("stopped early; kept "));
-  EXPECT_GE(json::parse(read_file(folder / "out/stats.json"))["frames"].size(), 2u);
+  EXPECT_GE(read_json(folder / "out/stats.json")["frames"].size(), 2u);
 }
 
 }  // namespace

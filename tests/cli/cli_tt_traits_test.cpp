@@ -5,6 +5,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/cli/program.h"
 #include "tests/support/read_picture.h"
 
@@ -48,7 +50,7 @@ class CliTtTraitsTest : public testing::Test {
     if (!unsaid.empty()) {
       EXPECT_THAT(run.err(), Not(HasSubstr(unsaid)));
     }
-    stats = run.out().empty() ? nlohmann::json() : nlohmann::json::parse(run.out());
+    stats = run.out().empty() ? Json() : Json::parse(run.out());
   }
   /// The bars with a line of Verilog in their top module are refused, where `said` is in it, and
   /// with a line before it, if there is one.
@@ -66,7 +68,7 @@ class CliTtTraitsTest : public testing::Test {
   }
 
   ScratchFolder folder;
-  nlohmann::json stats;
+  Json stats;
 };
 
 TEST_F(CliTtTraitsTest, ClocksAreReadAsYamlWritesThemOrAssumed) {

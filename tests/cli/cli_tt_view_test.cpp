@@ -4,8 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include <regex>
-
+#include "tb/base/text_pattern.h"
 #include "tests/cli/program.h"
 #include "tests/support/read_picture.h"
 
@@ -38,7 +37,7 @@ class CliTtViewTest : public testing::Test {
     EXPECT_THAT(err, HasSubstr(text));
   }
   /// The text on the terminal, as a regular expression; a page of it is too much for a message.
-  bool shows(const std::string& text) const { return std::regex_search(out, std::regex(text)); }
+  bool shows(const std::string& text) const { return !TextPattern(text).search(out).empty(); }
   std::string out, err;
   ScratchFolder folder;
 };

@@ -40,9 +40,9 @@ class CliVerifyTest : public testing::Test {
 TEST_F(CliVerifyTest, FindsNoDifferenceInTheUnitsOwnRtl) {
   Program run(folder.path(), {"verify", "stacks", "--frames", "1", "--random", "20000", "--json"});
   EXPECT_EQ(run.wait(), 0) << run.err();
-  const auto json = nlohmann::json::parse(run.out());
+  const auto json = Json::parse(run.out());
   ASSERT_EQ(json["units"].size(), 2u);
-  for (const auto& unit : json["units"]) {
+  for (const auto& unit : json["units"].elements()) {
     EXPECT_EQ(unit["differences"], 0);
     EXPECT_TRUE(unit["first"].is_null());
   }
@@ -117,7 +117,7 @@ TEST_F(CliVerifyTest, RtlInTheChipGivesThePinsOfTheModel) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     Program run(folder.path(), arguments);
     EXPECT_EQ(run.wait(), 0) << run.err();
-    return nlohmann::json::parse(run.out())["frames"][0]["pins_crc32"];
+    return Json::parse(run.out())["frames"][0]["pins_crc32"];
   };
   const auto model = crc_with({});
   EXPECT_EQ(crc_with({"--use", "stacks=rtl"}), model);

@@ -7,7 +7,9 @@
 #include <poll.h>
 #include <pty.h>
 #include <sys/ioctl.h>
+#include <sys/wait.h>
 #include <termios.h>
+#include <unistd.h>
 #include <utmp.h>
 
 #include <functional>

@@ -44,7 +44,7 @@ class NetlistTest : public testing::TestWithParam<const char*> {
     ASSERT_EQ(run.wait(), 0) << run.err();
     EXPECT_THAT(run.err(), testing::Not(testing::HasSubstr("warning")));
     const auto rows = run.json()["units"];
-    for (const auto& row : rows) {
+    for (const Json& row : rows.elements()) {
       EXPECT_EQ(row["differences"], 0);
       EXPECT_GE(row["clocks"], 100000);
     }

@@ -4,29 +4,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fcntl.h>
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sys/types.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/support/json.h"
 #include "tests/support/scratch_folder.h"
 
 namespace racebeam {
 
-inline std::string read_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string read_file(const std::string& path);
+
+/// A file of JSON. Throws std::exception if it is none.
+Json read_json(const std::string& path);
 
 /// One run of the program in a folder. Ends with the object.
 class Program {
@@ -43,96 +35,35 @@ class Program {
   Program(const std::string& folder, const std::vector<std::string>& arguments)
       : Program(folder, arguments, Setting()) {}
   Program(const std::string& folder, const std::vector<std::string>& arguments,
-          const Setting& setting)
-      : out_path_(setting.stdout_path.empty() ? said_ / "out" : setting.stdout_path) {
-    int screen = -1;
-    if (setting.terminal && openpty(&terminal_, &screen, nullptr, nullptr, nullptr) != 0)
-      throw std::runtime_error("no terminal");
-    pid_ = fork();
-    if (setting.group) setpgid(pid_, pid_);  // both sides: whoever comes first
-    if (pid_ == 0) become(folder, arguments, setting, screen);
-    if (screen >= 0) close(screen);
-  }
-  ~Program() {
-    if (pid_ > 0) kill(pid_, SIGKILL);
-    wait();
-    if (terminal_ >= 0) close(terminal_);
-  }
+          const Setting& setting);
+  ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  void signal(int number) const { kill(pid_, number); }
+  void signal(int number) const;
   /// To all of its process group: Ctrl-C on a terminal. With Setting::group.
-  void signal_group(int number) const { kill(-pid_, number); }
+  void signal_group(int number) const;
   int id() const { return pid_; }
   /// It has not ended, or nobody has waited for it.
-  bool runs() const {
-    siginfo_t info{};
-    return pid_ > 0 && waitid(P_PID, id_t(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-           info.si_pid == 0;
-  }
+  bool runs() const;
   /// Processes that it has started and that live.
   int children() const { return static_cast<int>(children_ids().size()); }
-  std::vector<int> children_ids() const {
-    const std::string process = std::to_string(pid_);
-    std::istringstream all(read_file("/proc/" + process + "/task/" + process + "/children"));
-    return {std::istream_iterator<int>(all), {}};
-  }
+  std::vector<int> children_ids() const;
   /// What it has said on stderr so far.
   std::string said() const { return read_file(said_ / "err"); }
 
   /// Waits for the end. The exit code, or -signal if it was killed.
-  int wait() {
-    if (pid_ < 0) return code_;
-    while (terminal_ >= 0 && read_terminal()) {
-    }
-    int status = 0;
-    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-    }
-    pid_ = -1;
-    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return code_;
-  }
+  int wait();
   /// Until its terminal has shown `text`, or it has ended.
-  void wait_for(const std::string& text) {
-    while (screen_.find(text) == std::string::npos && read_terminal()) {
-    }
-  }
-  std::string out() {
-    wait();
-    return read_file(out_path_);
-  }
-  std::string err() {
-    wait();
-    return terminal_ >= 0 ? screen_ : read_file(said_ / "err");
-  }
-  nlohmann::json json() { return nlohmann::json::parse(out()); }
+  void wait_for(const std::string& text);
+  std::string out();
+  std::string err();
+  Json json() { return Json::parse(out()); }
 
  private:
   [[noreturn]] void become(const std::string& folder, const std::vector<std::string>& arguments,
-                           const Setting& setting, int screen) {
-    const int out = open(out_path_.c_str(), O_WRONLY | O_CREAT, 0644);
-    const int err = screen >= 0 ? screen : open((said_ / "err").c_str(), O_WRONLY | O_CREAT, 0644);
-    dup2(out, STDOUT_FILENO);
-    dup2(err, STDERR_FILENO);
-    setenv("TERM", "xterm", 1);
-    unsetenv("CI");
-    std::string extra = setting.environment;
-    if (!extra.empty()) putenv(extra.data());
-    const rlimit limit{setting.largest_file, RLIM_INFINITY};
-    if (setting.largest_file != RLIM_INFINITY) setrlimit(RLIMIT_FSIZE, &limit);
-    std::vector<char*> words = {const_cast<char*>("racebeam")};
-    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    if (chdir(folder.c_str()) == 0) execv(setting.program.c_str(), words.data());
-    _exit(127);
-  }
-  bool read_terminal() {
-    char some[4096];
-    const ssize_t n = read(terminal_, some, sizeof some);
-    if (n > 0) screen_.append(some, n);
-    return n > 0;
-  }
+                           const Setting& setting, int screen);
+  bool read_terminal();
 
   ScratchFolder said_;
   const std::string out_path_;

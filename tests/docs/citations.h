@@ -4,10 +4,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "tb/base/text_pattern.h"
 
 namespace racebeam {
 
@@ -15,9 +16,9 @@ namespace racebeam {
 /// tables, letters in the first column.
 inline std::set<std::string> citable(const std::string& page) {
   std::set<std::string> all;
-  static const std::regex place("(?:^|\n)(?:#+ (\\d+(?:\\.\\d+)?)\\.? |\\| ([A-Z]) \\|)");
-  for (std::sregex_iterator at(page.begin(), page.end(), place), end; at != end; ++at)
-    all.insert((*at)[(*at)[1].matched ? 1 : 2]);
+  static const TextPattern place("(?:^|\n)(?:#+ (\\d+(?:\\.\\d+)?)\\.? |\\| ([A-Z]) \\|)");
+  for (const TextPattern::Groups& found : place.all(page))
+    all.insert(found[found[1].empty() ? 2 : 1]);
   return all;
 }
 
@@ -40,22 +41,19 @@ inline std::string without_line_breaks(const std::string& file) {
 /// What a file cites: "contract 9.5", "Contract sections 5.1, 5.2 and 6", "contract 9.4 to 9.7",
 /// "contract 18, item S" (which cites "18" and "S"); also where a comment breaks the line.
 inline std::vector<std::string> citations(const std::string& file) {
-  static const std::regex cited(
-      "ontract(?: sections?)? (\\d+(?:\\.\\d+)?(?:(?:, and|,| and| to) \\d+(?:\\.\\d+)?)*)"
+  static const TextPattern cited(
+      "^ontract(?: sections?)? (\\d+(?:\\.\\d+)?(?:(?:, and|,| and| to) \\d+(?:\\.\\d+)?)*)"
       "(?:,? and item ([A-Z])|,? item ([A-Z]))?");
-  static const std::regex number("\\d+(?:\\.\\d+)?");
+  static const TextPattern number("\\d+(?:\\.\\d+)?");
+  constexpr std::size_t LongestCitation = 200;
   const std::string text = without_line_breaks(file);
   std::vector<std::string> all;
-  std::smatch found;
   for (auto at = text.find("ontract"); at != std::string::npos; at = text.find("ontract", at + 1)) {
-    if (!std::regex_search(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), found, cited,
-                           std::regex_constants::match_continuous))
-      continue;
-    const std::string list = found[1];
-    for (std::sregex_iterator one(list.begin(), list.end(), number), end; one != end; ++one)
-      all.push_back(one->str());
+    const TextPattern::Groups found = cited.search(text.substr(at, LongestCitation));
+    if (found.empty()) continue;
+    for (const TextPattern::Groups& one : number.all(found[1])) all.push_back(one[0]);
     for (const int group : {2, 3})
-      if (found[group].matched) all.push_back(found[group]);
+      if (!found[group].empty()) all.push_back(found[group]);
   }
   return all;
 }

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knobs.h"
+#include "tb/base/text_pattern.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/golden/golden_work.h"
@@ -45,19 +45,19 @@ std::string anchor(const std::string& heading) {
 }
 
 bool has_heading(const std::string& text, const std::string& name) {
-  static const std::regex heading("(?:^|\n)#+ ([^\n]*)");
-  for (std::sregex_iterator at(text.begin(), text.end(), heading), end; at != end; ++at)
-    if (anchor((*at)[1]) == name) return true;
+  static const TextPattern heading("(?:^|\n)#+ ([^\n]*)");
+  for (const TextPattern::Groups& found : heading.all(text))
+    if (anchor(found[1]) == name) return true;
   return false;
 }
 
 /// Links of a page to files or headings that are not there.
 std::vector<std::string> broken_links(const std::string& path, const std::string& text) {
-  static const std::regex link("\\]\\(([^)\\s]+)\\)");
+  static const TextPattern link("\\]\\(([^)\\s]+)\\)");
   const std::filesystem::path root = RACEBEAM_SOURCE_DIR;
   std::vector<std::string> broken;
-  for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
-    const std::string target = (*at)[1];
+  for (const TextPattern::Groups& one : link.all(text)) {
+    const std::string& target = one[1];
     if (target.find("://") != std::string::npos) continue;
     const auto hash = target.find('#');
     const std::string file = target.substr(0, hash);

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "sc/beam/subdivider_core.h"
@@ -15,6 +14,7 @@
 #include "tb/explain/line_watcher.h"
 #include "tb/explain/step_text.h"
 #include "tb/scene/scene_reader.h"
+#include "tests/support/json.h"
 
 namespace racebeam {
 namespace {
@@ -200,15 +200,15 @@ TEST(LineStoryOfScene, IsToldForASceneFileWithSeveralPortalsInAFace) {
 TEST(Explanation, SaysInTextWhatTheJsonSays) {
   const Show demo;
   const Explanation e(demo, {}, 1000, 320, 240);
-  const auto json = nlohmann::json::parse(explain_json(e, {}, "demo"));
+  const auto json = Json::parse(explain_json(e, {}, "demo"));
   const std::string text = explain_text(e, "demo");
   ASSERT_EQ(json.at("fate"), "in_time");
   for (const char* name : {"first", "last", "length"})
     EXPECT_NE(text.find(json.at("interval").at(name).dump()), std::string::npos) << name;
-  for (const auto& room : json.at("interval").at("hit").at("way"))
+  for (const auto& room : json.at("interval").at("hit").at("way").elements())
     EXPECT_NE(text.find("room " + room.at("id").dump()), std::string::npos);
   EXPECT_NE(text.find(json.at("trace").get<std::string>()), std::string::npos);
-  for (const auto& step : json.at("interval").at("steps"))
+  for (const auto& step : json.at("interval").at("steps").elements())
     EXPECT_NE(text.find("\n" + std::string(5 - step.at("clock").dump().size(), ' ') +
                         step.at("clock").dump() + " "),
               std::string::npos);

@@ -6,9 +6,8 @@
 
 #include <gmock/gmock.h>
 
-#include <regex>
-
 #include "tb/base/errors.h"
+#include "tb/base/text_pattern.h"
 #include "tb/explain/explanation.h"
 #include "tb/explain/ray_walk.h"
 #include "tb/golden/golden_camera.h"
@@ -58,7 +57,7 @@ TEST(RayWalk, AsksTheQuestionsOfEachRoomInOrder) {
   const RayWalk walk(Show(), {}, 1000, 0, 319);
   std::string levels;
   for (const RayQuestion& q : walk.questions) levels += std::to_string(q.step.level);
-  EXPECT_TRUE(std::regex_match(levels, std::regex("267(012367)*"))) << levels;
+  EXPECT_TRUE(TextPattern("267(012367)*").matches(levels)) << levels;
   for (const RayQuestion& q : walk.questions)
     if (q.step.depth > 0 && q.step.level < 4) {
       EXPECT_EQ(q.step.answer, 0) << "or it would end";
@@ -96,12 +95,12 @@ TEST(Figures, TheStepTableAddsUp) {
   for (const auto& [frame, pixel] :
        {std::pair{1000, 319}, std::pair{1400, 638}, std::pair{5000, 77}}) {
     const std::string svg = figure("step-table").draw({demo, {}, frame, 0, pixel});
-    std::smatch found;
-    ASSERT_TRUE(std::regex_search(
-        svg, found,
-        std::regex("(-?\\d+) in all: ([xyz]) of the ray goes from (-?\\d+) to (-?\\d+)")));
+    const TextPattern::Groups found =
+        TextPattern("(-?\\d+) in all: ([xyz]) of the ray goes from (-?\\d+) to (-?\\d+)")
+            .search(svg);
+    ASSERT_FALSE(found.empty());
     EXPECT_EQ(std::stoi(found[3]) + std::stoi(found[1]), std::stoi(found[4]));
-    EXPECT_EQ(std::stoi(found[4]), GoldenCamera(frame).rays(0)[pixel][found[2].str()[0] - 'x']);
+    EXPECT_EQ(std::stoi(found[4]), GoldenCamera(frame).rays(0)[pixel][found[2][0] - 'x']);
   }
 }
 

@@ -15,13 +15,13 @@
 #include "tb/show/open_show.h"
 #include "tb/show/run.h"
 #include "tb/show/set_knob.h"
+#include "tests/support/json.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/scratch_engine.h"
 
 namespace racebeam {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 constexpr const char* Good =
@@ -150,22 +150,22 @@ TEST(AnyStats, PicturesHaveTimesAndCountersByPixel) {
   picture.bits = 5;
   for (const std::uint64_t words : {100, 300})
     report.add(0, "sky", {{words}, {{1, 2, 3}}, {}}, picture, false, {}, {words * 50, 2});
-  const json document = json::parse(report.text());
+  const Json document = Json::parse(report.text());
   EXPECT_EQ(document.at("version"), 3);
   EXPECT_EQ(document.at("engine"), "scratch");
-  EXPECT_EQ(document.at("knobs"), (json{{"cells", 8}, {"order", "rows"}}));
-  const json second = document.at("pictures")[1];
+  EXPECT_EQ(document.at("knobs"), (Json{{"cells", 8}, {"order", "rows"}}));
+  const Json second = document.at("pictures")[1];
   EXPECT_EQ(second.at("picture"), 0);
   EXPECT_EQ(second.at("clocks"), 15000);
   EXPECT_EQ(second.at("frames"), 2);
   EXPECT_EQ(second.at("counters").at("words"), 300);
-  EXPECT_EQ(second.at("counters").at("fill"), (json{1, 2, 3, 0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(second.at("per_pixel"), (json{{"clocks", 75.0}, {"words", 1.5}}));
-  const json total = document.at("total");
+  EXPECT_EQ(second.at("counters").at("fill"), (Json{1, 2, 3, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(second.at("per_pixel"), (Json{{"clocks", 75.0}, {"words", 1.5}}));
+  const Json total = document.at("total");
   EXPECT_EQ(total.at("pictures"), 2);
   EXPECT_EQ(total.at("clocks"), 20000);
   EXPECT_EQ(total.at("frames"), 4);
-  EXPECT_EQ(total.at("per_pixel"), (json{{"clocks", 50.0}, {"words", 1.0}}));
+  EXPECT_EQ(total.at("per_pixel"), (Json{{"clocks", 50.0}, {"words", 1.0}}));
 }
 
 TEST(AnyStats, TheTableHasItsColumns) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/sphere/sphere_parameters.h"
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_text.h"
 #include "tb/twin/sphere_twins.h"

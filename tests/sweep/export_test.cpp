@@ -6,16 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tb/base/whole_file.h"
+#include "tests/support/json.h"
 #include "tests/sweep/sweep_store.h"
 
 namespace racebeam {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
-using Json = nlohmann::json;
 
 /// A CSV file as RFC 4180 has it.
 Rows csv(const std::string& text) {
@@ -113,12 +111,13 @@ TEST_F(Export, JsonReadsBackAsTheStoreHasIt) {
   const Json all = Json::parse(text_of([this](OutputFile& out) { export_json(store, out); }));
   EXPECT_EQ(all["schema"], "racebeam-sweep");
   EXPECT_EQ(all["version"], 1);
-  EXPECT_EQ(all["models"][0]["columns"], Json(Columns));
+  EXPECT_EQ(all["models"][0]["columns"], Json::array(Columns));
   EXPECT_EQ(all["points"][1]["setting"], Json({{"dr_bits", "9"}, {"fifo_entries", "4"}}));
   EXPECT_EQ(all["points"][2]["name"], Json());
   std::size_t frames = 0;
-  for (const Json& result : all["results"]) {
-    const FrameKey key{result["model"], result["scene"], result["point"]};
+  for (const Json& result : all["results"].elements()) {
+    const FrameKey key{result["model"].get<int>(), result["scene"].get<int>(),
+                       result["point"].get<int>()};
     for (const FrameRow& row : store.frames.read(key)) {
       const Json& frame = result["frames"][frames % 3];
       EXPECT_EQ(frame, Json({row.frame, row.guard ? "guard" : "sample",
