@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/golden/golden_picture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tb/golden/geometry.h"
@@ -89,8 +90,15 @@ GoldenPicture golden_picture(GoldenTracer tracer, const GoldenWorld& world,
 }
 
 int golden_difference(const GoldenPicture& a, const GoldenPicture& b) {
+  constexpr std::size_t Part = 192;  // a byte counts it, so the compiler takes many pixels at once
   int differing = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) differing += a[i] != b[i];
+  for (std::size_t begin = 0; begin < a.size(); begin += Part) {
+    const std::size_t end = std::min(begin + Part, a.size());
+    std::uint8_t part = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      part = static_cast<std::uint8_t>(part + (a[i] != b[i]));
+    differing += part;
+  }
   return differing;
 }
 

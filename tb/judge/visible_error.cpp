@@ -14,44 +14,59 @@ namespace {
 
 constexpr int Columns = VisibleColumns, Rows = VisibleRows;
 
-using Three = std::uint32_t;  // pixels side by side, a byte each
-constexpr Three EachOne = 0x010101;
+// Pixels side by side, a byte each, the leftmost in the lowest: they are looked at together.
+using Word = std::uint64_t;
+constexpr int Size = sizeof(Word);
+constexpr Word EachOne = 0x0101010101010101, Bit = 0x80 * EachOne;
+static_assert(Columns % Size == 0);
 
-/// The pixels x - 1 .. x + 1 of a row; what is beyond the border repeats it.
-Three three(const std::uint8_t* picture, int x, int row) {
-  const std::uint8_t* const pixels = picture + row * Columns;
-  if (x == 0 || x >= Columns - 2)
-    return pixels[std::max(x - 1, 0)] | pixels[x] << 8 | pixels[std::min(x + 1, Columns - 1)] << 16;
-  Three four;
-  std::memcpy(&four, pixels + x - 1, sizeof four);
-  return le32toh(four) & 0xff * EachOne;
+Word word_at(const std::uint8_t* pixels) {
+  Word word;
+  std::memcpy(&word, pixels, sizeof word);
+  return le64toh(word);
+}
+
+/// The pixels from x + side on, side -1..1; what is beyond the border repeats it.
+Word word(const std::uint8_t* picture, int x, int row, int side) {
+  const std::uint8_t* const pixels = picture + row * Columns + x;
+  if (side < 0 && x == 0) return word_at(pixels) << 8 | pixels[0];
+  if (side > 0 && x == Columns - Size)
+    return word_at(pixels) >> 8 | Word{pixels[Size - 1]} << (8 * (Size - 1));
+  return word_at(pixels + side);
 }
 
 /// Not 0 in the bytes that are equal: colours have six bits, so no byte carries into the next.
-Three equal(Three a, Three b) { return ~((a ^ b) + 0x7f * EachOne) & 0x80 * EachOne; }
+Word equal(Word a, Word b) { return ~((a ^ b) + 0x7f * EachOne) & Bit; }
 
-/// Whether the colour of pixel (x, y) in `of` is near it in `in`.
-bool is_near(const std::uint8_t* of, const std::uint8_t* in, int x, int y) {
-  const Three colour = of[y * Columns + x] * EachOne;
-  const auto here = [&](int row) { return equal(three(in, x, row), colour); };
-  const auto right = [&](int row) { return equal(three(in, x, row), three(of, x, row)); };
-  if (here(y) || here(std::max(y - 1, 0)) || here(std::min(y + 1, Rows - 1))) return true;
-  return (y > 1 && here(y - 2) & right(y - 1)) || (y + 2 < Rows && here(y + 2) & right(y + 1));
+/// Which of the `asked` pixels from (x, y) on have a colour in `of` that is near them in `in`.
+Word near_ones(Word asked, const std::uint8_t* of, const std::uint8_t* in, int x, int y) {
+  const Word colours = word(of, x, y, 0);
+  Word found = 0;
+  for (const int row : {y, std::max(y - 1, 0), std::min(y + 1, Rows - 1)}) {
+    for (const int side : {0, -1, 1}) found |= equal(word(in, x, row, side), colours);
+    if (!(asked & ~found)) return asked;
+  }
+  for (const int way : {-1, 1}) {
+    if (y + 2 * way < 0 || y + 2 * way >= Rows) continue;
+    for (const int side : {-1, 0, 1})
+      found |= equal(word(in, x, y + 2 * way, side), colours) &
+               equal(word(in, x, y + way, side), word(of, x, y + way, side));
+  }
+  return asked & found;
 }
 
 }  // namespace
 
 int visible_difference(const GoldenPicture& a, const GoldenPicture& b) {
-  using Word = std::uint64_t;  // pixels that are looked at together, as most are equal
-  static_assert(Columns % sizeof(Word) == 0);
   int visible = 0;
   for (int y = 0; y < Rows; ++y)
-    for (int x = 0; x < Columns; x += sizeof(Word)) {
-      const std::size_t at = static_cast<std::size_t>(y) * Columns + x;
-      if (std::memcmp(&a[at], &b[at], sizeof(Word)) == 0) continue;
-      for (int i = x; i < x + static_cast<int>(sizeof(Word)); ++i)
-        visible += a[at + i - x] != b[at + i - x] &&
-                   !(is_near(a.data(), b.data(), i, y) && is_near(b.data(), a.data(), i, y));
+    for (int x = 0; x < Columns; x += Size) {
+      const Word here_a = word(a.data(), x, y, 0), here_b = word(b.data(), x, y, 0);
+      if (here_a == here_b) continue;
+      const Word differing = ~equal(here_a, here_b) & Bit;
+      const Word both =
+          near_ones(near_ones(differing, a.data(), b.data(), x, y), b.data(), a.data(), x, y);
+      if (const Word seen = differing & ~both) visible += __builtin_popcountll(seen);
     }
   return visible;
 }
