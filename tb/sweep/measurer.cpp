@@ -16,8 +16,9 @@ namespace racebeam {
 namespace {
 
 // A worker takes some 10 ms to begin and a frame some 6 ms: blocks are long enough for the first
-// not to matter, and short enough for all workers to end at about the same time.
-constexpr std::size_t SmallestBlock = 32, LargestBlock = 256, BlocksOfAJob = 4;
+// not to matter. The fewer frames are left, the shorter they get, for all workers to end at about
+// the same time. A frame of the base takes longer: its reference picture is made.
+constexpr std::size_t SmallestBlock = 32, SmallestOfBase = 8, LargestBlock = 256, BlocksOfAJob = 2;
 
 bool has(const std::vector<int>& sorted, int frame) {
   return std::binary_search(sorted.begin(), sorted.end(), frame);
@@ -117,15 +118,20 @@ Block Measurer::block_of(const Want& want) const {
   return block;
 }
 
-void Measurer::add_blocks(std::list<Block>& blocks, const Want& want, std::size_t size) {
-  for (std::size_t begin = 0; begin < want.frames.size(); begin += size) {
-    Block block = block_of(want);
-    const auto first = want.frames.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto left = static_cast<std::size_t>(want.frames.end() - first);
-    block.frames.assign(first, first + static_cast<std::ptrdiff_t>(std::min(size, left)));
-    block.number = ++blocks_;
-    blocks.push_back(std::move(block));
-  }
+std::size_t Measurer::add_block(std::list<Block>& blocks, const Want& want, std::size_t begin,
+                                std::size_t size) {
+  Block block = block_of(want);
+  const std::size_t taken = std::min(size, want.frames.size() - begin);
+  const auto first = want.frames.begin() + static_cast<std::ptrdiff_t>(begin);
+  block.frames.assign(first, first + static_cast<std::ptrdiff_t>(taken));
+  block.number = ++blocks_;
+  blocks.push_back(std::move(block));
+  return taken;
+}
+
+void Measurer::add_blocks(std::list<Block>& blocks, const Want& want) {
+  for (std::size_t begin = 0; begin < want.frames.size();)
+    begin += add_block(blocks, want, begin, LargestBlock);
 }
 
 bool Measurer::run(std::list<Block> blocks) {
@@ -135,18 +141,24 @@ bool Measurer::run(std::list<Block> blocks) {
 bool Measurer::measure(const std::vector<Want>& wants) {
   for (const bool base : {true, false}) {
     std::vector<Want> all;
-    std::size_t frames = 0;
+    std::size_t left = 0;  // frames that no block has
     for (const Want& want : wants) {
       if ((want.point == 0) != base || !failure(want.point).empty()) continue;
       Want lacking = want;
       lacking.frames = lacks(want);
-      frames += lacking.frames.size();
+      left += lacking.frames.size();
       all.push_back(std::move(lacking));
     }
-    const std::size_t share = frames / (static_cast<std::size_t>(jobs_) * BlocksOfAJob) + 1;
-    const std::size_t size = std::clamp(share, SmallestBlock, LargestBlock);
+    const std::size_t parts = BlocksOfAJob * static_cast<std::size_t>(jobs_);
     std::list<Block> blocks;
-    for (const Want& want : all) add_blocks(blocks, want, size);
+    for (const Want& want : all)
+      for (std::size_t begin = 0; begin < want.frames.size();) {
+        const std::size_t size =
+            std::clamp(left / parts, base ? SmallestOfBase : SmallestBlock, LargestBlock);
+        const std::size_t taken = add_block(blocks, want, begin, size);
+        begin += taken;
+        left -= taken;
+      }
     if (!run(std::move(blocks))) return false;
     if (!failure(0).empty()) break;  // nothing to compare with
   }
@@ -155,7 +167,7 @@ bool Measurer::measure(const std::vector<Want>& wants) {
 
 bool Measurer::repeat(const Want& want) {
   std::list<Block> blocks;
-  add_blocks(blocks, want, want.frames.size());
+  add_block(blocks, want, 0, want.frames.size());
   return run(std::move(blocks));
 }
 
@@ -167,7 +179,7 @@ bool Measurer::scan(int scene) {
     if (!has(there, frame)) want.frames.push_back(frame);
   std::sort(want.frames.begin(), want.frames.end());
   std::list<Block> blocks;
-  add_blocks(blocks, want, LargestBlock);
+  add_blocks(blocks, want);
   for (Block& block : blocks) block.scan = true;
   return run(std::move(blocks));
 }
@@ -175,7 +187,7 @@ bool Measurer::scan(int scene) {
 std::map<int, std::string> Measurer::pictures(const Want& want) {
   std::map<int, std::string> pictures;
   std::list<Block> blocks;
-  add_blocks(blocks, want, LargestBlock);
+  add_blocks(blocks, want);
   for (Block& block : blocks) block.pictures = true;
   pictures_ = &pictures;
   run(std::move(blocks));

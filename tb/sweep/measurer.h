@@ -61,7 +61,10 @@ class Measurer : private BlockRunner::Owner {
 
   std::vector<int> lacks(const Want& want) const;
   Block block_of(const Want& want) const;
-  void add_blocks(std::list<Block>& blocks, const Want& want, std::size_t size);
+  /// A block of frames of `want` from the `begin`th on, `size` at most; so many they are.
+  std::size_t add_block(std::list<Block>& blocks, const Want& want, std::size_t begin,
+                        std::size_t size);
+  void add_blocks(std::list<Block>& blocks, const Want& want);
   bool run(std::list<Block> blocks);
   struct PictureKeys;
   PictureKeys picture_keys(const Block& block) const;
