@@ -12,6 +12,7 @@ chip_lines::chip_lines(const options& o)
       raster_(o.k),
       standard_(chip_knobs::of(o.k) == o.k),
       scene_standard_(scene_knobs::of(o.k) == o.k),
+      only_limits_(limit_knobs::of(o.k) == o.k),
       chip_(o.program) {
   reset();
 }

@@ -90,7 +90,8 @@ class chip_lines {
   const options options_;
   const knobs knobs_;
   const line_raster raster_;
-  const bool standard_, scene_standard_;  // knobs of the taped-out chip, for a scene file
+  // Knobs of the taped-out chip; for a scene file; but for its limits.
+  const bool standard_, scene_standard_, only_limits_;
   chip_core chip_;
   line_beam beam_{knobs_, raster_, chip_.interval_fifo};
   std::map<int, std::vector<room_row>> rooms_;  // by scene flags

@@ -131,6 +131,7 @@ line_counts chip_lines::trace(const line_setting& line, int clock) {
   if (line.observer) return trace_with<any_knobs, true>(chip_, beam_, line, clock);
   if (standard_) return trace_with<chip_knobs, false>(chip_, beam_, line, clock);
   if (scene_standard_) return trace_with<scene_knobs, false>(chip_, beam_, line, clock);
+  if (only_limits_) return trace_with<limit_knobs, false>(chip_, beam_, line, clock);
   return trace_with<any_knobs, false>(chip_, beam_, line, clock);
 }
 

@@ -34,6 +34,26 @@ struct scene_knobs {
     return program_knobs{k.corner_bits, k.navigator_bits, k.portals_per_face}.fitted({});
   }
 };
+/// The taped-out chip with other limits: of what it stores, of its products and of time.
+struct limit_knobs {
+  static constexpr knobs of(const knobs& k) {
+    knobs of = {};
+    of.interval_stack_depth = k.interval_stack_depth;
+    of.face_stack_depth = k.face_stack_depth;
+    of.max_room_depth = k.max_room_depth;
+    of.fifo_entries = k.fifo_entries;
+    of.fifo_short_length_bits = k.fifo_short_length_bits;
+    of.fifo_merge = k.fifo_merge;
+    of.hurry_threshold = k.hurry_threshold;
+    of.corner_factor_bits = k.corner_factor_bits;
+    of.partial_products_cut = k.partial_products_cut;
+    of.interlace = k.interlace;
+    of.clocks_per_pixel = k.clocks_per_pixel;
+    of.speed = k.speed;
+    of.head_start = k.head_start;
+    return of;
+  }
+};
 /// Any.
 struct any_knobs {
   static knobs of(const knobs& k) { return k; }
@@ -52,6 +72,10 @@ extern template line_counts trace_line<chip_knobs, true, false>(chip_core&, line
 extern template line_counts trace_line<scene_knobs, false, false>(chip_core&, line_beam&,
                                                                   const line_setting&, int);
 extern template line_counts trace_line<scene_knobs, true, false>(chip_core&, line_beam&,
+                                                                 const line_setting&, int);
+extern template line_counts trace_line<limit_knobs, false, false>(chip_core&, line_beam&,
+                                                                  const line_setting&, int);
+extern template line_counts trace_line<limit_knobs, true, false>(chip_core&, line_beam&,
                                                                  const line_setting&, int);
 extern template line_counts trace_line<any_knobs, false, false>(chip_core&, line_beam&,
                                                                 const line_setting&, int);
