@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/judge/error_causes.h"
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "tb/judge/tlm_pictures.h"
 #include "tb/show/knobs_json.h"
 
 namespace racebeam {
@@ -34,13 +34,25 @@ const Way& way_to(PictureReference reference) {
   return reference == PictureReference::Trace4 ? trace_4 : geometry;
 }
 
+/// Calls act(pixel) where pictures differ; most do in few places.
+template <class Do>
+void for_each_difference(const GoldenPicture& a, const GoldenPicture& b, const Do& act) {
+  constexpr std::size_t Some = 8;
+  static_assert(VisibleColumns % Some == 0);
+  for (std::size_t begin = 0; begin < b.size(); begin += Some) {
+    if (std::memcmp(&a[begin], &b[begin], Some) == 0) continue;
+    for (std::size_t pixel = begin; pixel < begin + Some; ++pixel)
+      if (a[pixel] != b[pixel]) act(pixel);
+  }
+}
+
 // The pixels that differ and have no cause yet.
 std::string bits_of(const GoldenPicture& picture, const GoldenPicture& end,
                     const std::vector<std::uint8_t>& causes) {
   std::string bits(end.size() / 8, '\0');
-  for (std::size_t pixel = 0; pixel < end.size(); ++pixel)
-    bits[pixel / 8] |=
-        static_cast<char>((picture[pixel] != end[pixel] && !causes[pixel]) << (pixel % 8));
+  for_each_difference(picture, end, [&](std::size_t pixel) {
+    bits[pixel / 8] |= static_cast<char>(!causes[pixel] << (pixel % 8));
+  });
   return bits;
 }
 
@@ -85,25 +97,37 @@ ErrorChain::ErrorChain(const Show& show, const knobs& k, PictureReference refere
   }
 }
 
+// Each may have lines of the one before it.
+std::vector<TlmPictures::Run> ErrorChain::pictures_for(int frame, const Links& links) const {
+  std::vector<TlmPictures::Run> pictures;
+  std::optional<TlmPictures> tlm;
+  for (std::size_t step = 1; step < steps_.size(); ++step) {
+    if (!links[step - 1].empty()) continue;
+    if (!tlm) tlm.emplace(show_, frame, steps_[0].k);
+    pictures.push_back(tlm->run(steps_[step].k, steps_[step].residue,
+                                pictures.empty() ? nullptr : &pictures.back()));
+  }
+  return pictures;
+}
+
 std::vector<int> ErrorChain::by_cause(int frame, const GoldenPicture& own, const GoldenPicture& end,
                                       Links& links) const {
   links.resize(keys_.size());
-  std::optional<TlmPictures> pictures;
+  std::vector<TlmPictures::Run> pictures = pictures_for(frame, links);
   std::vector<std::uint8_t> causes(end.size());  // from 1 on; 0: right from there on
   for (std::size_t step = steps_.size(); --step > 0;) {
     const auto mark = static_cast<std::uint8_t>(steps_[step].cause + 1);
     std::string& link = links[step - 1];
     if (link.empty()) {
-      if (!pictures) pictures.emplace(show_, frame, steps_[0].k);
-      link = bits_of(steps_[step].residue ? pictures->picture(steps_[step].k)
-                                          : pictures->without_residue(steps_[step].k),
-                     end, causes);
+      link = bits_of(pictures.back().picture, end, causes);
+      pictures.pop_back();
     }
     for_each_bit(link, [&](std::size_t pixel) { causes[pixel] = mark; });
   }
   std::vector<int> counts(error_causes(reference_).size());
-  for (std::size_t pixel = 0; pixel < end.size(); ++pixel)
-    if (own[pixel] != end[pixel]) ++counts[causes[pixel] ? causes[pixel] - 1u : steps_[0].cause];
+  for_each_difference(own, end, [&](std::size_t pixel) {
+    ++counts[causes[pixel] ? causes[pixel] - 1u : steps_[0].cause];
+  });
   return counts;
 }
 

@@ -17,6 +17,7 @@
 
 #include "tb/judge/error_links.h"
 #include "tb/judge/reference_picture.h"
+#include "tb/judge/tlm_pictures.h"
 
 namespace racebeam {
 
@@ -52,6 +53,9 @@ class ErrorChain {
     bool residue;  ///< of the interlace is in it
     std::size_t cause;
   };
+
+  /// Those of links that are not known, in order.
+  std::vector<TlmPictures::Run> pictures_for(int frame, const Links& links) const;
 
   const Show& show_;
   const PictureReference reference_;

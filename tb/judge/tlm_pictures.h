@@ -2,11 +2,14 @@
 // process as are wanted.
 //
 // The lines of chip_lines, pixel for pixel what the wired chip shows. The camera flies to the frame
-// once, not once a picture.
+// once, not once a picture; and a line of which another picture tells that it comes out the same is
+// taken from there.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+
+#include <vector>
 
 #include "sc/beam/chip_core.h"
 #include "tb/golden/golden_picture.h"
@@ -21,13 +24,27 @@ class TlmPictures {
   TlmPictures(const Show& show, int frame, const knobs& k);
 
   /// As a chip with these knobs shows it.
-  GoldenPicture picture(const knobs& k) const;
+  GoldenPicture picture(const knobs& k) const { return run(k, true).picture; }
   /// The same where the rule of contract 5.4 leaves nothing behind: on odd lines the camera itself
   /// stands one step back.
-  GoldenPicture without_residue(const knobs& k) const;
+  GoldenPicture without_residue(const knobs& k) const { return run(k, false).picture; }
+
+  /// A picture, and what its lines say of pictures by chips with other knobs.
+  struct Run {
+    struct Line {
+      int restarts, rooms;  ///< underflow restarts, rooms entered: up to line_done
+    };
+    knobs k;
+    bool residue;
+    GoldenPicture picture;
+    std::vector<Line> lines;
+    int traced = 0;  ///< visible lines that were not taken from another run
+  };
+  /// The same picture, with or without residue. `before` is another run of this, if there is one.
+  Run run(const knobs& k, bool residue, const Run* before = nullptr) const;
 
  private:
-  GoldenPicture run(const knobs& k, int step_back) const;
+  Run trace(const knobs& k, bool residue, const Run* before) const;
 
   const Show& show_;
   const chip_core start_;  // its frame counter and navigator count

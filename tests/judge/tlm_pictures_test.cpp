@@ -54,5 +54,41 @@ TEST(TlmPictures, WithoutInterlaceThereIsNoResidue) {
   EXPECT_EQ(golden_difference(tlm.without_residue(k), tlm.picture(k)), 0);
 }
 
+/// The lines that are traced for a picture that follows another.
+int traced_after(const TlmPictures& tlm, const knobs& before, const knobs& k, bool residue = true) {
+  const TlmPictures::Run first = tlm.run(before, true), second = tlm.run(k, residue, &first);
+  EXPECT_EQ(golden_difference(second.picture, tlm.run(k, residue).picture), 0);
+  return second.traced;
+}
+
+// Lines that come out the same are not traced again; those of the chip's four entries often do not.
+TEST(TlmPictures, TakeLinesFromPicturesByChipsWithLowerLimits) {
+  knobs far = unlimited();
+  far.interlace = 1;
+  knobs stack = far, rooms = far;
+  stack.interval_stack_depth = 4;
+  rooms.max_room_depth = 5;
+  const Show demo;
+  for (const int frame : {1537, 5119, 7223, 9500, 11000}) {
+    const TlmPictures tlm(demo, frame, {});
+    EXPECT_LT(traced_after(tlm, stack, far), VisibleRows) << frame;
+    EXPECT_LE(traced_after(tlm, rooms, far), VisibleRows) << frame;
+    EXPECT_EQ(traced_after(tlm, far, far), 0) << frame;
+    EXPECT_LE(traced_after(tlm, far, far, false), VisibleRows / 2) << frame;
+  }
+}
+
+TEST(TlmPictures, TakeNoLineWhereAnotherKnobDiffersOrTheStackMayShowLinesBefore) {
+  knobs cut = unlimited(), stack = unlimited();
+  cut.partial_products_cut = 5;
+  stack.interval_stack_depth = 4;
+  const Show demo;
+  const TlmPictures tlm(demo, 1537, {});
+  EXPECT_EQ(traced_after(tlm, cut, unlimited()), VisibleRows);
+  EXPECT_EQ(traced_after(tlm, unlimited(), stack), VisibleRows);
+  const TlmPictures pattern(demo, 2500, {});
+  EXPECT_EQ(traced_after(pattern, stack, unlimited()), VisibleRows) << "a ray pattern";
+}
+
 }  // namespace
 }  // namespace racebeam
