@@ -31,9 +31,7 @@ sequencer_outputs choice(const chip_core& chip, const knobs& k, bool shows_patte
 class SameLines {
  public:
   SameLines(const TlmPictures::Run& run, const knobs& k, bool residue, bool interlaced)
-      : run_(run),
-        residue_(residue == run.residue || !interlaced),
-        limit_(run.k.room_depth_limit()) {
+      : run_(run), residue_(residue == run.residue || !interlaced) {
     // A stack that lacked nothing may be deeper, and so may a way that came to no end.
     knobs deeper = run.k;
     if (deeper.interval_stack_depth < k.interval_stack_depth)
@@ -41,20 +39,19 @@ class SameLines {
     same_ = deeper == k;
     deeper.max_room_depth = k.max_room_depth;
     deeper.face_stack_depth = k.face_stack_depth;
-    further_ = deeper == k && limit_ <= k.room_depth_limit();
+    further_ = deeper == k && run.k.room_depth_limit() <= k.room_depth_limit();
   }
 
   /// A visible line, 0..479. Where the stack lacked something the lines before it may show.
   bool has(std::size_t row) const {
     const TlmPictures::Run::Line& line = run_.lines[row];
     const bool odd = (FirstVisibleLine + static_cast<int>(row)) & 1;
-    return line.restarts == 0 && (same_ || (further_ && line.rooms < limit_)) && (residue_ || !odd);
+    return !line.restarts && (same_ || (further_ && !line.deepest)) && (residue_ || !odd);
   }
 
  private:
   const TlmPictures::Run& run_;
   const bool residue_;
-  const int limit_;
   bool same_, further_;
 };
 
@@ -69,7 +66,7 @@ TlmPictures::Run TlmPictures::run(const knobs& k, bool residue, const Run* befor
   const bool pattern = choice(start_, k).lock || choice(start_, k, true).lock;
   if (before && !pattern && k.interval_stack_depth == most(&knobs::interval_stack_depth)) {
     Run run = trace(k, residue, before);
-    const auto lacks = [](const Run::Line& line) { return line.restarts > 0; };
+    const auto lacks = [](const Run::Line& line) { return line.restarts; };
     if (std::none_of(run.lines.begin(), run.lines.end(), lacks)) return run;
   }
   return trace(k, residue, nullptr);
@@ -90,6 +87,10 @@ TlmPictures::Run TlmPictures::trace(const knobs& k, bool residue, const Run* bef
   registers.navigator.room_q = start_.navigator.room_q;
   Run run{k, residue, {}, {}};
   run.picture.reserve(VisibleColumns * VisibleRows);
+  // The word of the face stack that is written when a room at the greatest depth is entered, and
+  // read only behind that.
+  constexpr int Unwritten = -1;
+  int& last_face = registers.stacks.faces_q[k.room_depth_limit() - 1];
   const auto run_line = [&] {
     registers.navigator.position_q[AxisZ] =
         start_.navigator.position_q[AxisZ] + (chip.next_line() & 1) * step_back;
@@ -108,10 +109,10 @@ TlmPictures::Run TlmPictures::trace(const knobs& k, bool residue, const Run* bef
       registers.vga_timing.v_pos_q = FirstVisibleLine + static_cast<int>(row);
       registers.vga_timing.v_region_q = 1;
     }
+    last_face = Unwritten;
     run_line();
-    const frame_stats stats = chip.take_stats();
     run.picture.insert(run.picture.end(), chip.pixels().begin(), chip.pixels().end());
-    run.lines.push_back({static_cast<int>(stats.restarts), static_cast<int>(stats.rooms_entered)});
+    run.lines.push_back({chip.take_stats().restarts > 0, last_face != Unwritten});
     ++run.traced;
   }
   return run;

@@ -32,7 +32,8 @@ class TlmPictures {
   /// A picture, and what its lines say of pictures by chips with other knobs.
   struct Run {
     struct Line {
-      int restarts, rooms;  ///< underflow restarts, rooms entered: up to line_done
+      bool restarts;  ///< the interval stack underflowed before line_done
+      bool deepest;   ///< a room at the greatest depth was entered
     };
     knobs k;
     bool residue;

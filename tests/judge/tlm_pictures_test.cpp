@@ -72,7 +72,7 @@ TEST(TlmPictures, TakeLinesFromPicturesByChipsWithLowerLimits) {
   for (const int frame : {1537, 5119, 7223, 9500, 11000}) {
     const TlmPictures tlm(demo, frame, {});
     EXPECT_LT(traced_after(tlm, stack, far), VisibleRows) << frame;
-    EXPECT_LE(traced_after(tlm, rooms, far), VisibleRows) << frame;
+    EXPECT_LT(traced_after(tlm, rooms, far), VisibleRows) << frame;
     EXPECT_EQ(traced_after(tlm, far, far), 0) << frame;
     EXPECT_LE(traced_after(tlm, far, far, false), VisibleRows / 2) << frame;
   }
