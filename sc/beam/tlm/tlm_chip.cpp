@@ -4,23 +4,9 @@
 
 #include <string>
 
+#include "sc/base/tlm_words.h"
+
 namespace racebeam {
-
-namespace {
-
-constexpr int WordBytes = 4;
-
-void put_word(std::uint8_t* to, std::uint32_t value) {
-  for (int i = 0; i < WordBytes; ++i) to[i] = static_cast<std::uint8_t>(value >> (8 * i));
-}
-
-std::uint32_t get_word(const std::uint8_t* from) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < WordBytes; ++i) value |= std::uint32_t{from[i]} << (8 * i);
-  return value;
-}
-
-}  // namespace
 
 tlm_chip::tlm_chip(const sc_core::sc_module_name& name, const chip_lines::options& o)
     : sc_module(name),
@@ -80,14 +66,7 @@ void tlm_chip::send_line() {
 }
 
 void tlm_chip::send(std::uint64_t address, const std::uint8_t* data, std::size_t bytes) {
-  payload_.set_command(tlm::TLM_WRITE_COMMAND);
-  payload_.set_address(address);
-  payload_.set_data_ptr(const_cast<std::uint8_t*>(data));  // a target does not write to it
-  payload_.set_data_length(static_cast<unsigned>(bytes));
-  payload_.set_streaming_width(static_cast<unsigned>(bytes));
-  payload_.set_byte_enable_ptr(nullptr);
-  payload_.set_dmi_allowed(false);
-  payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  prepare_write(payload_, address, data, bytes);
   sc_core::sc_time delay = quantum_.get_local_time();
   display_socket->b_transport(payload_, delay);
   quantum_.set(delay);
@@ -107,11 +86,9 @@ void tlm_chip::access(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay
 tlm::tlm_response_status tlm_chip::serve(tlm::tlm_generic_payload& payload) {
   const std::uint64_t begin = payload.get_address();
   const unsigned bytes = payload.get_data_length();
-  if (payload.get_byte_enable_ptr()) return tlm::TLM_BYTE_ENABLE_ERROR_RESPONSE;
-  if (bytes == 0 || bytes % WordBytes || payload.get_streaming_width() < bytes)
-    return tlm::TLM_BURST_ERROR_RESPONSE;
+  if (const auto whole = whole_words(payload); whole != tlm::TLM_OK_RESPONSE) return whole;
   for (unsigned i = 0; i < bytes; i += WordBytes)
-    if ((begin + i) % WordBytes || (begin + i != RegisterReset && !is_register(begin + i)))
+    if (begin + i != RegisterReset && !is_register(begin + i))
       return tlm::TLM_ADDRESS_ERROR_RESPONSE;
   std::uint8_t* const data = payload.get_data_ptr();
   if (payload.is_write()) {
@@ -138,11 +115,7 @@ unsigned tlm_chip::peek(tlm::tlm_generic_payload& payload) {
 }
 
 bool tlm_chip::refuse_memory(tlm::tlm_generic_payload&, tlm::tlm_dmi& memory) {
-  memory.init();  // for all addresses
-  memory.set_start_address(0);
-  memory.set_end_address(~std::uint64_t{0});
-  memory.allow_none();
-  return false;
+  return no_direct_memory(memory);
 }
 
 tlm_chip::word tlm_chip::read(std::uint64_t address) const {
