@@ -3,7 +3,7 @@
 
 # The sources that can change what a frame counts, or the picture that is meant, by engine: folders,
 # and files by a pattern.
-set(MODEL_ENGINES beam)
+set(MODEL_ENGINES beam sphere)
 set(MODEL_OF_beam
     sc/base
     sc/video
@@ -30,6 +30,19 @@ set(MODEL_OF_beam
     tb/scene/toml_tree.*
     tb/bench/tlm_bench.*
     tb/monitor/raster.*
+    tb/sweep/columns.*)
+set(MODEL_OF_sphere
+    sc/base
+    sc/store
+    sc/sphere
+    tb/host
+    tb/golden/sphere_golden.*
+    tb/scene/sphere_scene*
+    tb/scene/table_reader.*
+    tb/scene/toml_tree.*
+    tb/bench/sphere_bench.*
+    tb/bench/sphere_tlm_bench.*
+    tb/bench/sphere_pins.*
     tb/sweep/columns.*)
 
 # model_sources(<engine> <root> <variable>): those files, seen from <root>

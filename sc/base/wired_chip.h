@@ -16,12 +16,21 @@ class rtl_instance;
 /// Its children are its units, u_<unit>, and the wires between them.
 class wired_chip : public sc_core::sc_module {
  public:
+  /// The screen at a chip's pins.
+  struct video_pins {
+    int bits = 2;   ///< of a colour; 2: the eight pins of TinyVGA, else those of a converter
+    int delay = 0;  ///< clocks that its raster is behind the clock of the chip's first line
+  };
+  virtual video_pins video() const { return {}; }
+
   /// What the bench has at the chip's pins.
   struct pins {
     sc_core::sc_clock& clk;
     wire<1>& rst_n;
     wire<8>& uo;  ///< {hsync, B0, G0, R0, vsync, B1, G1, R1}
     wire<1>& pwm;
+    wire<1>&hsync_n, &vsync_n;    ///< to the monitor of a converter
+    wire<10>&red, &green, &blue;  ///< to the converter
   };
   /// Binds all ports. Pins that no bench drives get wires of their own, which hold 0.
   virtual void connect(const pins& bench) = 0;

@@ -92,7 +92,7 @@ std::vector<counter_info> sphere_counter_infos() {
 }
 
 std::vector<histogram_info> sphere_histogram_infos() {
-  return {{"buffer_fill", nullptr, MaxWriteBuffer}};
+  return {{"buffer_fill", "write_buffer_depth"}};
 }
 
 frame_counts counted(const sphere_counters& from) {

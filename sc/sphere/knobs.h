@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "sc/base/knob_values.h"
 #include "sc/store/store_knobs.h"
 
 namespace racebeam {
@@ -34,6 +34,11 @@ struct sphere_knobs {
   int host_clocks_per_word = 2;
   int capture_guard = GuardCounter;
   int as_built = 0;
+
+  sphere_knobs() = default;
+  /// Throws std::logic_error if they are another engine's.
+  sphere_knobs(const knob_values& values);  // NOLINT(google-explicit-constructor)
+  operator knob_values() const;             // NOLINT(google-explicit-constructor)
 
   /// The clocks of ROOT: the tracer sees the root in the last of them.
   int root_clocks() const { return 3 + (22 + root_bits_per_clock - 1) / root_bits_per_clock; }
@@ -67,18 +72,11 @@ struct sphere_knobs {
 bool operator==(const sphere_knobs& a, const sphere_knobs& b);
 inline bool operator!=(const sphere_knobs& a, const sphere_knobs& b) { return !(a == b); }
 
-/// One row of the knob table.
-struct sphere_knob_info {
-  const char* name;
-  int sphere_knobs::*member;
-  int min, max;
-  std::vector<std::string> names;  ///< names of the values min..max, if they are names
-  const char* unit;
-  const char* meaning;
-  const char* source;
-};
+using sphere_knob_info = knob_of<sphere_knobs>;
 
 /// All knobs: a member without a row does not compile.
 const std::vector<sphere_knob_info>& sphere_knob_table();
+/// The same without their places.
+const std::vector<knob_row>& sphere_knob_rows();
 
 }  // namespace racebeam

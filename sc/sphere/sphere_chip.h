@@ -10,9 +10,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sc/base/unit_choices.h"
+#include "sc/base/wired_chip.h"
 #include "sc/sphere/divider_unit.h"
 #include "sc/sphere/plane_table.h"
 #include "sc/sphere/root_unit.h"
@@ -32,7 +37,7 @@
 
 namespace racebeam {
 
-class sphere_chip final : public sc_core::sc_module {
+class sphere_chip final : public wired_chip {
  public:
   // Pins
   in_port<1> clk_i{"clk_i"};
@@ -56,11 +61,46 @@ class sphere_chip final : public sc_core::sc_module {
   /// `tables` must outlive it. Throws RtlError if RTL that `choices` names does not fit.
   sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& k,
               const sphere_tables& tables, const unit_choices& choices = {});
+  ~sphere_chip() override;
+
+  /// What the board has at the pins of a chip that a bench was connected to; at first, the
+  /// switches and keys of the tables, and a CPU that is silent.
+  struct board_wires {
+    explicit board_wires(const sphere_board& board)
+        : sw("sw", static_cast<unsigned>(board.sw)),
+          key_n("key_n", static_cast<unsigned>(board.key_n)) {}
+    wire<18> sw;
+    wire<4> key_n;
+    wire<8> sphere{"sphere"};
+    wire<16> color{"color"};
+    wire<SphereBits> x1{"x1"}, y1{"y1"}, z1{"z1"};
+    wire<UnitBits> cpu_reflect{"cpu_reflect"}, cpu_radius{"cpu_radius"};
+    wire<SphereBits> r2{"r2"};
+    wire<UnitBits> r_inv{"r_inv"};
+    wire<1> valid{"valid"};
+    wire<8> rotz{"rotz"};
+    wire<1> done{"done"};
+  };
+  board_wires& board() { return *board_; }
+  const board_wires& board() const { return *board_; }
+
+  video_pins video() const override { return {DacBits, 1}; }
+  void connect(const wired_chip::pins& bench) override;
+  /// Eye, light, screen and modes of each picture, as the bench knows them.
+  void remember(std::function<sphere_inputs_core(int picture)> inputs) {
+    inputs_ = std::move(inputs);
+  }
+  /// Eye, light, screen and modes of a picture, in HOST before it; the table is the CPU's.
+  void deposit(int picture) override;
+  void deposit_beside(const std::string& unit, rtl_instance& rtl, int picture) const override;
+  /// In HOST, nothing in the write buffer: the frame store gets black, and counting begins anew.
+  void begin_picture();
+  void count() override { collector_.observe(view()); }
+  /// Of the picture that was done last.
+  frame_counts take_counts() override;
 
   /// The wires of the present clock, settled if called at its end.
   sphere_view view() const;
-  /// A clock to be counted, at its end.
-  void count() { collector_.observe(view()); }
   const sphere_collector& collector() const { return collector_; }
   /// The frame store, by address; a picture is all in it when take_valid is 0 again.
   const std::vector<std::uint64_t>& memory() const { return u_frame_memory.words(); }
@@ -143,6 +183,8 @@ class sphere_chip final : public sc_core::sc_module {
 
  private:
   const sphere_knobs knobs_;
+  const sphere_tables& tables_;
+  std::function<sphere_inputs_core(int picture)> inputs_;
 
  public:
   // Units
@@ -171,6 +213,13 @@ class sphere_chip final : public sc_core::sc_module {
   void follow_raster();
 
   sphere_collector collector_;
+  std::unique_ptr<board_wires> board_;
 };
+
+/// As a bench of any engine takes it; `scene` are sphere_tables, nullptr those of no file. Throws
+/// RtlError.
+std::unique_ptr<wired_chip> make_sphere_chip(const char* name, const knob_values& k,
+                                             const scene_tables* scene,
+                                             const unit_choices& choices);
 
 }  // namespace racebeam

@@ -27,6 +27,12 @@ class sphere_collector {
  public:
   explicit sphere_collector(const sphere_knobs& k) : knobs_(k.resolved()) {}
   void observe(const sphere_view& v);
+  /// In HOST: what was counted since the last picture is forgotten, but for faults.
+  void begin() {
+    const std::uint64_t faults = now_.host_faults;
+    now_ = {};
+    now_.host_faults = faults;
+  }
   /// Pictures that are done.
   int pictures() const { return pictures_; }
   /// The one that was done last.

@@ -10,8 +10,7 @@ sphere_core::sphere_core(const sphere_knobs& k, const sphere_tables& tables,
       tables_(tables),
       rays_(knobs_, table_, tables.planes, inputs_),
       store_(knobs_) {
-  inputs_.clock({false, board.sw, board.key_n, false}, tables.start);
-  drawn_narrow_ = inputs_.narrow_q;
+  reset(board);
 }
 
 bool sphere_core::host_clock(const sphere_host_pins& cpu) {
@@ -35,16 +34,8 @@ void sphere_core::load(const std::vector<sphere_row>& spheres) {
   for (int n = 0; n <= number; ++n) {
     if (n < number) {
       const sphere_row& s = spheres[static_cast<std::size_t>(n)];
-      cpu = {number << 4 | n,
-             (s.is_light << 15 | s.colour[0] << 10) | (s.colour[1] << 5 | s.colour[2]),
-             s.centre[0],
-             s.centre[1],
-             s.centre[2],
-             s.reflect,
-             s.radius,
-             s.radius2,
-             s.inverse,
-             true};
+      cpu = {number << 4 | n, s.color_word(), s.centre[0], s.centre[1], s.centre[2],
+             s.reflect,       s.radius,       s.radius2,   s.inverse,   true};
     }
     cpu.sphere = number << 4 | (n < number ? n : 0);
     cpu.valid = true;
@@ -54,7 +45,28 @@ void sphere_core::load(const std::vector<sphere_row>& spheres) {
   }
 }
 
-void sphere_core::draw(const sphere_board& board) {
+void sphere_core::await_frame() {
+  const std::int64_t frame = store_.frame_clocks();
+  const auto to_next = [&](std::int64_t clock) {
+    store_.go_to((clock + frame - 1) / frame * frame, nullptr);
+  };
+  to_next(store_.clock());
+  while (store_.buffer().take_valid()) to_next(store_.clock() + 1);
+  store_.clear();
+}
+
+void sphere_core::reset(const sphere_board& board) {
+  inputs_.clock({false, board.sw, board.key_n, false}, tables_.start);
+  link_ = {};
+  drawn_narrow_ = inputs_.narrow_q;
+}
+
+void sphere_core::deposit(const sphere_inputs_core& inputs) {
+  inputs_ = inputs;
+  drawn_narrow_ = inputs_.narrow_q;
+}
+
+void sphere_core::draw() {
   sphere_counters& n = counters_;
   n = host_;
   host_ = {};
@@ -63,6 +75,7 @@ void sphere_core::draw(const sphere_board& board) {
   for (int y = 0; y < rows(); ++y)
     for (int x = 0; x < columns(); ++x) {
       const std::int64_t begin = store_.clock();
+      if (begins_) begins_->push_back(begin);
       const int put_to = address(x, y);
       rays_.pixel(x, y, no_sphere_log{}, [&](int clock, std::uint64_t word) {
         store_.go_to(begin + clock, &n);
@@ -73,17 +86,41 @@ void sphere_core::draw(const sphere_board& board) {
   rays_.take(n);
   n.frames = store_.frames_before(store_.clock()) - store_.frames_before(start);
   n.store_reads = store_.reads_before(store_.clock()) - store_.reads_before(start);
+}
+
+void sphere_core::finish(const sphere_board& board) {
   inputs_.clock({true, board.sw, board.key_n, true}, tables_.start);
+}
+
+int sphere_core::first_hit(int x, int y) const {
+  int hit = MeetsNothing;
+  bool known = false;
+  sphere_rays rays(knobs_, table_, tables_.planes, inputs_);
+  const auto log = [&](int state, int, int object, const char* what) {
+    if (known) return;
+    const bool nearest = *what == 'n';
+    if (state == SphereAlong && *what) hit = EyeInside;
+    else if (state == SphereHit && nearest) hit = object;
+    else if (state == SpherePlaneT && nearest) hit = FirstPlane + object;
+    known = state == SphereLight || state == SphereLray || state == SphereNext;
+  };
+  rays.pixel(x, y, log, [](int, std::uint64_t) { return 0; });
+  return hit;
 }
 
 std::vector<sphere_step> sphere_core::explain(int x, int y) const {
   std::vector<sphere_step> steps;
+  std::uint64_t offered = 0;
   sphere_rays rays(knobs_, table_, tables_.planes, inputs_);
   const auto log = [&](int state, int clocks, int object, const char* what) {
     steps.push_back({state, clocks, object, what, 0});
     if (state == SphereAdd) steps.back().word = rays.so_far();
+    if (state == SphereNext) steps.back().word = offered;
   };
-  rays.pixel(x, y, log, [](int, std::uint64_t) { return 0; });
+  rays.pixel(x, y, log, [&](int, std::uint64_t word) {
+    offered = word;
+    return 0;
+  });
   return steps;
 }
 

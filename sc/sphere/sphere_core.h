@@ -7,20 +7,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "sc/sphere/first_hit.h"
 #include "sc/sphere/sphere_host_link_core.h"
 #include "sc/sphere/sphere_rays.h"
 #include "sc/sphere/sphere_store.h"
 
 namespace racebeam {
-
-/// The board's switches and keys; keys are 0 while pressed.
-struct sphere_board {
-  int sw = 1 << 5;  // 512 x 480, no reflections
-  int key_n = 15;
-};
 
 /// A stay in a state, for `explain`.
 struct sphere_step {
@@ -28,7 +24,7 @@ struct sphere_step {
   int clocks;
   int object;          ///< -1: none
   std::string what;    ///< what came of it, if anything
-  std::uint64_t word;  ///< after ADD: what the pixel is so far; else 0
+  std::uint64_t word;  ///< after ADD: what the pixel is so far; after NEXT: what it is; else 0
 };
 
 class sphere_core {
@@ -44,8 +40,23 @@ class sphere_core {
   void busy_clock(const sphere_host_pins& cpu);
   /// In HOST: what a CPU does that sends these spheres, two clocks a sphere, to the end of HOST.
   void load(const std::vector<sphere_row>& spheres);
+  /// In HOST: on to the next frame of the raster in whose first clock the write buffer is empty,
+  /// and the frame store is made black (back door).
+  void await_frame();
+  /// In HOST: KEY3 is pressed and let go, with the board like this; the raster goes on.
+  void reset(const sphere_board& board);
+  /// In HOST: eye, light, screen and modes become these (back door).
+  void deposit(const sphere_inputs_core& inputs);
+  /// From now on the clocks in which pixels begin go there, row by row; nullptr: nowhere.
+  void note_pixels(std::vector<std::int64_t>* begins) { begins_ = begins; }
   /// Draws the picture; the board as it is at its end.
-  void draw(const sphere_board& board);
+  void draw(const sphere_board& board) {
+    draw();
+    finish(board);
+  }
+  /// The same in two steps: up to its last clock; what switches and keys do at its end.
+  void draw();
+  void finish(const sphere_board& board);
   /// Of the picture drawn last, and of HOST before it.
   const sphere_counters& counters() const { return counters_; }
 
@@ -58,7 +69,10 @@ class sphere_core {
   const sphere_inputs_core& inputs() const { return inputs_; }
   const sphere_table_core& table() const { return table_; }
 
-  /// What a pixel takes, with eye, light, modes and table as they are now.
+  /// What a pixel shows, sphere_first_hit, with eye, light, modes and table as they are now.
+  int first_hit(int x, int y) const;
+  /// What a pixel takes, no wait for the write buffer among it, with eye, light, modes and table as
+  /// they are now.
   std::vector<sphere_step> explain(int x, int y) const;
 
  private:
@@ -72,6 +86,7 @@ class sphere_core {
   sphere_counters counters_;
   sphere_counters host_;  // of the HOST that is on
   bool drawn_narrow_ = false;
+  std::vector<std::int64_t>* begins_ = nullptr;
 };
 
 }  // namespace racebeam

@@ -19,6 +19,15 @@ void sphere_inputs::seq() {
                                       picture_done_i.value() != 0};
   if (core_.rst_n(in) && !in.picture_done) return;
   core_.clock(in, start_);
+  drive();
+}
+
+void sphere_inputs::deposit(const sphere_inputs_core& registers) {
+  core_ = registers;
+  drive();
+}
+
+void sphere_inputs::drive() {
   rotz_o.drive(core_.rotz_q);
   origin_o.drive(core_.origin_q);
   light_o.drive(core_.light_q);

@@ -68,11 +68,14 @@ class sphere_inputs : public sphere_inputs_pins, public probed {
   static constexpr const char* unit_name = "sphere_inputs";
 
   sphere_inputs(const sc_core::sc_module_name& name, const sphere_tables& tables);
+  /// Back door: other registers.
+  void deposit(const sphere_inputs_core& registers);
   std::vector<probe> probes() const override { return registers_of(core_); }
 
  private:
   void seq();
   void comb();
+  void drive();
 
   const sphere_start start_;
   sphere_inputs_core core_;

@@ -29,7 +29,7 @@ void add_digits(std::string& row, int value, int digits) {
 
 }  // namespace
 
-std::vector<rtl_parameter> sphere_parameters(const sphere_knobs& k, const sphere_tables& tables) {
+std::vector<rtl_parameter> sphere_knob_parameters(const sphere_knobs& k) {
   const sphere_knobs now = k.resolved();
   std::vector<rtl_parameter> all = store_parameters(now.store());
   for (const sphere_knob_info& row : sphere_knob_table()) {
@@ -38,6 +38,11 @@ std::vector<rtl_parameter> sphere_parameters(const sphere_knobs& k, const sphere
         std::any_of(all.begin(), all.end(), [&](const rtl_parameter& p) { return p.name == name; });
     if (!there) all.push_back({name, now.*row.member, "the knob " + std::string(row.name)});
   }
+  return all;
+}
+
+std::vector<rtl_parameter> sphere_parameters(const sphere_knobs& k, const sphere_tables& tables) {
+  std::vector<rtl_parameter> all = sphere_knob_parameters(k);
   const sphere_start& s = tables.start;
   all.push_back({"OriginX", s.origin[0], "the eye's x"});
   all.push_back({"OriginY", s.origin[1], "the eye's y"});

@@ -13,8 +13,10 @@
 
 namespace racebeam {
 
-/// One for each knob, root_bits_per_clock is RootBitsPerClock; those of the frame store; OriginX to
-/// Screen; and Planes, the number of planes.
+/// One for each knob, root_bits_per_clock is RootBitsPerClock; and those of the frame store.
+std::vector<rtl_parameter> sphere_knob_parameters(const sphere_knobs& k);
+
+/// The same; OriginX to Screen; and Planes, the number of planes.
 std::vector<rtl_parameter> sphere_parameters(const sphere_knobs& k, const sphere_tables& tables);
 
 /// A plane as plane_table's RTL reads it: a row of PlaneFile, 44 digits.

@@ -34,6 +34,10 @@ struct sphere_row {
     return {centre, radius, radius * radius, radius == 1 ? 4095 : 4096 / radius, reflect,
             colour, false};
   }
+  /// As the CPU sends it: {light, red, green, blue}.
+  constexpr int color_word() const {
+    return ((is_light << 5 | colour[0]) << 5 | colour[1]) << 5 | colour[2];
+  }
   static constexpr sphere_row light(const vec3& centre) {
     sphere_row row = of(centre, LightRadius, {31, 31, 31}, 0);
     row.is_light = true;
@@ -58,10 +62,18 @@ struct sphere_start {
   int screen = 8 * 4096;
 };
 
-/// What the chip holds of a scene file; its spheres come from the CPU.
+/// The board's switches and keys; keys are 0 while pressed.
+struct sphere_board {
+  int sw = 1 << 5;  // 512 x 480, no reflections
+  int key_n = 15;
+};
+
+/// What chip and board hold of a scene file; its spheres come from the CPU.
 struct sphere_tables : scene_tables {
   sphere_start start;
   std::vector<plane_row> planes;
+  sphere_board board;  ///< at the reset
+  int spheres = 4;     ///< how many the CPU sends; as the first scene that is built in has
 };
 
 /// The scene that is drawn if no CPU answers, 0 or 1.

@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -36,6 +37,8 @@ class sphere_store {
   }
   std::int64_t frame_clocks() const { return frame_clocks_; }
 
+  /// The memory becomes black (back door).
+  void clear() { std::fill(memory_.begin(), memory_.end(), 0); }
   /// The memory, and what the write buffer has for it.
   const std::vector<std::uint64_t>& memory() const { return memory_; }
   const write_buffer_core& buffer() const { return buffer_; }

@@ -15,6 +15,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -70,6 +71,7 @@ class frame_memory : public frame_memory_pins {
   /// All words, by address: what the bench sees of a picture, and may put there.
   const std::vector<std::uint64_t>& words() const { return core_.words_q; }
   void deposit(int address, std::uint64_t word) { core_.words_q.at(address) = word; }
+  void clear() { std::fill(core_.words_q.begin(), core_.words_q.end(), 0); }
 
  private:
   void seq();

@@ -35,6 +35,8 @@ class rtl_instance {
   /// clocks of its own; to be followed by settle().
   void seek(int frame);
   void place(const vec3& position, int room);
+  /// Edges of its own with these inputs, the others as they are; to be followed by settle().
+  void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
 
   /// A port or signal of the RTL.
   class value {
@@ -79,7 +81,6 @@ class rtl_instance {
 
   value port(const std::string& name) const;
   void forget_inputs();
-  void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
   const rtl_model& model() const { return library_.model(); }
 
   rtl_library library_;

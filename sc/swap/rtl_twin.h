@@ -41,6 +41,12 @@ class rtl_twin : public Unit::pins, public probed {
     rtl_.place(position, room);
     comb();
   }
+  /// Lets `put` write to the RTL, as the back door of another unit's model does to that.
+  template <class Put>
+  void put(const Put& put) {
+    put(rtl_);
+    comb();
+  }
 
  private:
   template <class Pins, class = void>

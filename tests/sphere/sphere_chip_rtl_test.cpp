@@ -54,8 +54,9 @@ class AllBeside : public sc_core::sc_module {
  public:
   in_port<1> clk_i{"clk_i"};
 
-  AllBeside(const sphere_chip& chip, const sphere_knobs& k, const sphere_tables& tables)
-      : sc_module(sc_core::sc_module_name("beside")) {
+  AllBeside(const sc_core::sc_module_name& name, const sphere_chip& chip, const sphere_knobs& k,
+            const sphere_tables& tables)
+      : sc_module(name) {
     const PluginMaker plugins = sphere_plugins(k, tables);
     for (sc_core::sc_object* child : chip.get_child_objects()) {
       const auto* unit = dynamic_cast<const sc_core::sc_module*>(child);
@@ -77,7 +78,7 @@ void expect_agreement(const sphere_knobs& k, const sphere_board& board, int cloc
   sphere_tables tables = four_tables();
   tables.start.origin[1] = 12 * 4096;  // the upper rows show spheres
   sphere_chip chip("sphere", k, tables);
-  AllBeside beside(chip, k, tables);
+  AllBeside beside("beside", chip, k, tables);
   UnitBench bench(chip, &beside.clk_i);
   bench["sw_i"].drive(static_cast<unsigned>(board.sw));
   bench["key_ni"].drive(static_cast<unsigned>(board.key_n));

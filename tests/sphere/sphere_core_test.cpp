@@ -8,9 +8,9 @@
 
 #include <numeric>
 
-#include "tests/sphere/four_pixels.h"
 #include "tests/sphere/four_scene.h"
 #include "tests/sphere/picture_checksum.h"
+#include "tests/support/four_pixels.h"
 
 namespace racebeam {
 namespace {

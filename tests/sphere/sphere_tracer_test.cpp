@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "tests/sphere/four_pixels.h"
 #include "tests/sphere/four_scene.h"
 #include "tests/sphere/sphere_tracer_bench.h"
 #include "tests/sphere/twins.h"
+#include "tests/support/four_pixels.h"
 
 namespace racebeam {
 namespace {
