@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
@@ -15,8 +18,8 @@
 #include "tb/program/common_options.h"
 #include "tb/scene/plan_drawing.h"
 #include "tb/scene/scene_check.h"
+#include "tb/scene/scene_kinds.h"
 #include "tb/scene/scene_sight.h"
-#include "tb/scene/starter_scene.h"
 #include "tb/show/knobs_json.h"
 #include "tb/show/open_show.h"
 
@@ -92,6 +95,35 @@ std::string table(const nlohmann::ordered_json& scene) {
   return text;
 }
 
+/// The same of a scene that has facts.
+nlohmann::ordered_json summary(const Show& show, const AnyScene& scene, const knob_values& k) {
+  nlohmann::ordered_json json = {{"schema", "racebeam-scene"},
+                                 {"version", 1},
+                                 {"engine", show.engine().name},
+                                 {"name", show.name()}};
+  for (const SceneFact& fact : scene.facts())
+    std::visit([&](const auto& value) { json[fact.name] = value; }, fact.value);
+  json["knobs"] = knobs_json(k);
+  return json;
+}
+
+std::string facts_table(const nlohmann::ordered_json& scene) {
+  std::string text = fmt::format("{:<14} {}, for {}\n", "scene", scene["name"].get<std::string>(),
+                                 scene["engine"].get<std::string>());
+  for (const auto& [name, value] : scene.items()) {
+    if (value.is_object() || name == "schema" || name == "version" || name == "engine" ||
+        name == "name")
+      continue;
+    std::string title = name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    text += fmt::format("{:<14} {}\n", title,
+                        value.is_string()    ? value.get<std::string>()
+                        : value.is_boolean() ? (value.get<bool>() ? "yes" : "no")
+                                             : value.dump());
+  }
+  return text;
+}
+
 }  // namespace
 
 int command_scene_check(const SceneOptions& options) {
@@ -103,10 +135,16 @@ int command_scene_check(const SceneOptions& options) {
 }
 
 int command_scene_show(const SceneOptions& options) {
-  const SceneFile scene = load_scene(options.file, "scene show");
-  const nlohmann::ordered_json json = summary(scene, options.run.assignments);
+  const std::shared_ptr<const AnyScene> scene = load_any_scene(options.file);
+  const Show show(scene, "");
+  const bool has_facts = !scene->facts().empty();
+  if (!has_facts) expect_rooms(show, "scene show");
+  const nlohmann::ordered_json json =
+      has_facts ? summary(show, *scene, knobs_of(show, options.run.assignments))
+                : summary(*show.scene(), options.run.assignments);
   using Json = nlohmann::ordered_json;
   print(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+        : has_facts  ? facts_table(json)
                      : table(json));
   return ExitGood;
 }
@@ -127,8 +165,15 @@ int command_scene_new(const SceneOptions& options) {
   std::error_code ignored;
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored)))
     throw UsageError(options.file + " exists; choose another name");
-  write_text(options.file, starter_scene());
-  tell("wrote " + options.file + "; try `racebeam scene plan " + options.file + " -o plan.png`");
+  const engine& shown =
+      options.engine.empty() ? scene_kinds().front().engine : engine_named(options.engine);
+  const SceneKind& kind = scene_kind_of(shown);
+  if (!kind.starter)
+    throw UsageError(std::string("there is no scene to start from for ") + shown.name);
+  write_text(options.file, kind.starter());
+  tell("wrote " + options.file + "; try `racebeam " +
+       (&kind == &scene_kinds().front() ? "scene plan " + options.file + " -o plan.png`"
+                                        : "render " + options.file + " -o first.png`"));
   return ExitGood;
 }
 
@@ -175,7 +220,9 @@ Command scene_row() {
             .required()
             .type_name("FILE")
             .check(not_empty);
-        add_of_file("new", "FILE", "Write a scene to start from", command_scene_new);
+        add_engine_option(
+            add_of_file("new", "FILE", "Write a scene to start from", command_scene_new),
+            options->engine, "A scene for this engine");
         add_notes_options(add("notes",
                               "Counters of some frames, and why the chip does not show the "
                               "ideal pictures",

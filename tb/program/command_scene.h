@@ -16,6 +16,7 @@ struct SceneOptions {
   std::string file;                 ///< the scene
   std::string picture;              ///< of `scene plan`
   bool json = false;                ///< of `scene show`
+  std::string engine;               ///< of `scene new`
   RunOptions run;                   ///< --set, of `scene show` and `scene notes`
   std::vector<std::string> scenes;  ///< of `scene notes`; may be "demo"
   std::string notes;                ///< file of `scene notes`

@@ -5,10 +5,18 @@
 #pragma once
 
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "sc/base/engine.h"
 
 namespace racebeam {
+
+/// What can be said of a scene: "planes", 4.
+struct SceneFact {
+  std::string name;
+  std::variant<int, bool, std::string> value;
+};
 
 class AnyScene {
  public:
@@ -25,6 +33,8 @@ class AnyScene {
   virtual std::string part(int frame) const = 0;
   /// "5 rooms, 4 portals".
   virtual std::string counts() const = 0;
+  /// What `scene show` lists of it; a kind with a list of its own has none here.
+  virtual std::vector<SceneFact> facts() const { return {}; }
 };
 
 }  // namespace racebeam

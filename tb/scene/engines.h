@@ -1,5 +1,5 @@
 // The engines, in one table: what takes an engine, or what one engine alone has, by its name asks
-// here. Names of units are unique among all engines, as names of RTL modules are.
+// here. Units of one name in several engines are the same unit, as RTL modules are.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -14,7 +14,10 @@ namespace racebeam {
 
 const std::vector<const engine*>& engines();
 
-/// The engine of a unit, or of a whole chip. Throws std::out_of_range.
+/// The first engine that has a unit, or a whole chip. Throws std::out_of_range.
 const engine& engine_of_unit(const std::string& unit);
+
+/// The engine whose knobs these are. Throws std::out_of_range.
+const engine& engine_of(const knob_values& k);
 
 }  // namespace racebeam

@@ -4,11 +4,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "sc/beam/engine.h"
+#include "sc/sphere/engine.h"
 #include "tb/scene/beam_scene.h"
 #include "tb/scene/input_file.h"
+#include "tb/scene/sphere_scene.h"
+#include "tb/scene/starter_scene.h"
 #include "tb/scene/table_reader.h"
 
 namespace racebeam {
@@ -29,8 +33,16 @@ const SceneKind* kind_of(const TomlNode& root, const std::vector<SceneKind>& kin
 }  // namespace
 
 const std::vector<SceneKind>& scene_kinds() {
-  static const std::vector<SceneKind> table = {{beam_engine(), scene_keys(), read_beam_scene}};
+  static const std::vector<SceneKind> table = {
+      {beam_engine(), scene_keys(), read_beam_scene, starter_scene},
+      {sphere_engine(), sphere_scene_keys(), read_sphere_scene, starter_sphere_scene}};
   return table;
+}
+
+const SceneKind& scene_kind_of(const engine& shown) {
+  for (const SceneKind& kind : scene_kinds())
+    if (&kind.engine == &shown) return kind;
+  throw std::out_of_range(std::string("no scenes for ") + shown.name);
 }
 
 AnySceneResult read_any_scene(std::string_view text, const std::string& name,

@@ -29,10 +29,15 @@ struct SceneKind {
   const std::vector<FileKey>& keys;  ///< what its reader accepts
   /// nullptr if there are faults, which it adds.
   std::shared_ptr<const AnyScene> (*read)(const SceneText& file, Faults& faults);
+  /// A scene without faults, to start from; nullptr: there is none.
+  const char* (*starter)() = nullptr;
 };
 
 /// By engine; a file without the key is of the first.
 const std::vector<SceneKind>& scene_kinds();
+
+/// The kind of an engine. Throws std::out_of_range.
+const SceneKind& scene_kind_of(const engine& shown);
 
 struct AnySceneResult {
   std::shared_ptr<const AnyScene> scene;  ///< nullptr if there are faults

@@ -42,4 +42,55 @@ look = { shading = "dithered" }
 )";
 }
 
+const char* starter_sphere_scene() {
+  return R"(# A scene of spheres for racebeam. Look at it: racebeam render FILE -o first.png
+name = "first spheres"
+engine = "sphere"
+frames = 120
+
+[eye]
+position = [0, 0, -32]       # x right, y down, z away
+screen = 8.0                 # the screen stands at z = 256
+
+[light]
+position = [15, -15, -1]
+
+[modes]
+size = "512x480"             # or "320x240"
+reflections = 3
+antialias = "none"           # 4x, 8x
+
+[box]                        # what the middles of moving spheres stay in
+low = [-15, -15, 5]
+high = [15, 15, 35]
+
+[[sphere]]
+id = "red"
+centre = [-9, 0, 15]
+radius = 5
+colour = "#ff2121"
+reflect = 0.25
+velocity = [0.5, 0.125, 0]   # a picture
+
+[[sphere]]
+id = "mirror"
+centre = [6, 5, 20]
+radius = 6
+colour = "#303038"
+reflect = 0.625
+
+[[plane]]                    # the floor
+normal = [0, -1, 0]
+distance = 22
+colour = "#e8e8e8"
+reflect = 0.25
+checker = 4
+
+[[input]]                    # the light moves to the left, and the eye sees more
+picture = 60
+pictures = 10
+hold = ["SW16", "KEY1"]
+)";
+}
+
 }  // namespace racebeam

@@ -1,4 +1,4 @@
-// The scene that `racebeam scene new` writes.
+// The scenes that `racebeam scene new` writes.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -6,7 +6,8 @@
 
 namespace racebeam {
 
-/// A scene file without faults, to start from.
+/// A scene file without faults, to start from: of box rooms, of spheres.
 const char* starter_scene();
+const char* starter_sphere_scene();
 
 }  // namespace racebeam

@@ -31,7 +31,7 @@ std::string level_of(const RunOptions& options, const engine& built, bool wired)
 }  // namespace
 
 std::string RunOptions::set_text() const {
-  std::string text;
+  std::string text = engine.empty() ? "" : " --engine " + engine;
   for (const std::string& assignment : assignments) text += " --set " + assignment;
   return text;
 }
@@ -44,12 +44,15 @@ knob_values knobs_of(const Show& show, const std::vector<std::string>& assignmen
 }
 
 Run open_run(const RunOptions& options, bool wired) {
-  const Show show = open_show(options.scene);
+  const bool built_in = options.scene == "demo" && !options.engine.empty();
+  const Show show =
+      built_in ? Show::built_in(engine_named(options.engine)) : open_show(options.scene);
   expect_engine(show, options.engine);
   return {show, level_of(options, show.engine(), wired), knobs_of(show, options.assignments)};
 }
 
 void use_units(Run& run, const std::vector<std::string>& units, bool traced) {
+  if (units.empty()) return;
   const UseOption use(run.show.engine(), run.k, run.show.tables(), traced);
   for (const std::string& choice : units) use.use(run.units, choice);
 }

@@ -23,6 +23,16 @@ Show::Show(std::shared_ptr<const AnyScene> scene, std::string hash)
 Show::Show(SceneFile scene, std::string hash)
     : Show(std::make_shared<BeamScene>(std::move(scene)), std::move(hash)) {}
 
+Show Show::built_in(const racebeam::engine& of) {
+  Show show;
+  if (show.engine_ == &of) return show;
+  show.engine_ = &of;
+  show.frames_ = 120;
+  return show;
+}
+
+bool Show::is_demo() const { return !scene_ && engine_ == engines().front(); }
+
 Show Show::of_tile(std::string name, std::string hash, int frames) {
   Show show;
   show.name_ = std::move(name);
@@ -34,7 +44,7 @@ Show Show::of_tile(std::string name, std::string hash, int frames) {
 
 std::string Show::part(int frame) const {
   if (tile_) return "";
-  return scene_ ? scene_->part(frame) : demo_part(frame).name();
+  return scene_ ? scene_->part(frame) : is_demo() ? demo_part(frame).name() : "";
 }
 
 GoldenWorld Show::golden_world(int frame, const knobs& k) const {

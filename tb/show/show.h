@@ -22,6 +22,8 @@ class Show {
   Show(std::shared_ptr<const AnyScene> scene, std::string hash);
   Show(SceneFile scene, std::string hash);
 
+  /// What an engine has built in: of beam the demo; of another one 120 pictures.
+  static Show built_in(const racebeam::engine& of);
   /// A chip of its own, of which nothing is known but its name.
   static Show of_tile(std::string name, std::string hash, int frames);
 
@@ -42,7 +44,7 @@ class Show {
   std::string part(int frame) const;
 
   /// Whether it is of box rooms: then the following says what of.
-  bool of_rooms() const { return !scene_ || beam_; }
+  bool of_rooms() const { return beam_ || is_demo(); }
   /// The same tables; nullptr: the built-in demo.
   const scene_program* program() const { return beam_ ? &beam_->program : nullptr; }
   /// What the tables were made from, and its camera's way; nullptr: the built-in demo.
@@ -52,6 +54,8 @@ class Show {
   GoldenCamera golden_camera(int frame, const knobs& k) const;
 
  private:
+  bool is_demo() const;
+
   const racebeam::engine* engine_;
   std::string name_, hash_;
   int frames_;

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "sc/beam/chip_core.h"
 #include "tb/bench/signal_bench.h"
@@ -14,23 +13,11 @@
 #include "tb/scene/scene_reader.h"
 #include "tb/show/show.h"
 #include "tests/support/core_picture.h"
+#include "tests/support/room_scenes.h"
 #include "tests/support/unlimited.h"
 
 namespace racebeam {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// The scene files, by name: "house", "chip/tunnel".
-std::vector<std::string> scene_names() {
-  const fs::path folder = fs::path(RACEBEAM_SOURCE_DIR) / "scenes";
-  std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".toml")
-      names.push_back(fs::relative(entry.path(), folder).replace_extension().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 SceneFile scene_of(const std::string& name) {
   SceneResult result = read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/" + name + ".toml");
@@ -91,10 +78,10 @@ TEST_P(EveryScene, IsTheSameInSystemCAndInALoop) {
 
 // Minutes: run with --gtest_also_run_disabled_tests.
 TEST(AllScenes, DISABLED_WithoutLimitsAreTheIntervalTracerInManyFrames) {
-  for (const std::string& name : scene_names()) expect_chip_equals_trace_4(name, 100);
+  for (const std::string& name : room_scenes()) expect_chip_equals_trace_4(name, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(scene_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(room_scenes()),
                          [](const auto& info) {
                            std::string name = info.param;
                            std::replace(name.begin(), name.end(), '/', '_');

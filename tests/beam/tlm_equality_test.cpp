@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 
 #include "sc/beam/tlm/line_raster.h"
@@ -17,11 +16,10 @@
 #include "tb/show/show.h"
 #include "tests/support/expect_stats.h"
 #include "tests/support/random_knobs.h"
+#include "tests/support/room_scenes.h"
 
 namespace racebeam {
 namespace {
-
-namespace fs = std::filesystem;
 
 void expect_frame_of_the_cores(TlmBench& bench, int frame, const knobs& k,
                                const scene_program* program = nullptr) {
@@ -47,27 +45,18 @@ TEST_P(TlmDemoPart, HasThePixelsPinsAndCountersOfTheCores) {
 INSTANTIATE_TEST_SUITE_P(Demo, TlmDemoPart,
                          testing::Range(0, static_cast<int>(demo_parts().size())));
 
-std::vector<std::string> scene_files() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(RACEBEAM_SOURCE_DIR "/scenes"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 class TlmScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(TlmScene, HasThePixelsPinsAndCountersOfTheCores) {
-  const Show show(read_scene_file(GetParam()).scene, "");
+  const Show show(read_scene_file(room_scene_file(GetParam())).scene, "");
   const knobs k = show.standard_knobs();
   TlmBench bench({k, true, true, false, show.program()});
   for (const int frame : {show.frames() / 3, show.frames() - 1})
     expect_frame_of_the_cores(bench, frame, k, show.program());
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, TlmScene, testing::ValuesIn(scene_files()), [](const auto& info) {
-  std::string name =
-      fs::path(info.param).lexically_relative(RACEBEAM_SOURCE_DIR "/scenes").string();
+INSTANTIATE_TEST_SUITE_P(Scenes, TlmScene, testing::ValuesIn(room_scenes()), [](const auto& info) {
+  std::string name = info.param;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name;
