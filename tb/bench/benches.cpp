@@ -5,12 +5,18 @@
 #include <stdexcept>
 
 #include "sc/beam/engine.h"
+#include "sc/sphere/engine.h"
 #include "tb/bench/beam_bench.h"
+#include "tb/bench/sphere_bench.h"
+#include "tb/bench/sphere_hands.h"
+#include "tb/bench/sphere_tlm_bench.h"
 
 namespace racebeam {
 
 const std::vector<BenchKind>& benches() {
-  static const std::vector<BenchKind> table = {{beam_engine(), true, true, make_beam_bench}};
+  static const std::vector<BenchKind> table = {
+      {beam_engine(), true, true, make_beam_bench, nullptr, nullptr},
+      {sphere_engine(), false, false, make_sphere_bench, make_sphere_hands, sphere_pixels}};
   return table;
 }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "tb/bench/chip_bench.h"
+#include "tb/bench/pixel_clocks.h"
+#include "tb/bench/surroundings.h"
 #include "tb/bench/wired_bench.h"
 
 namespace racebeam {
@@ -26,6 +28,10 @@ struct BenchKind {
   /// Throws RtlError.
   std::unique_ptr<ChipBench> (*make)(const std::string& level, const WiredBench::Setting& setting,
                                      const BenchWishes& wishes);
+  /// What is around a wired chip, which was connected; nullptr: nothing.
+  std::unique_ptr<Surroundings> (*around)(wired_chip& chip, const WiredBench::Setting& setting);
+  /// The pixels of a picture that begins in clock 0; nullptr: the engine races the beam.
+  PixelClocks (*pixels)(const WiredBench::Setting& setting, int picture);
 };
 
 const std::vector<BenchKind>& benches();

@@ -12,12 +12,18 @@
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/simulate.h"
+#include "tb/bench/benches.h"
 #include "tb/monitor/pin_probe.h"
 #include "tb/twin/engine_raster.h"
 
 namespace racebeam {
 
 namespace {
+
+/// Of a chip whose pictures are not frames, between two seek().
+constexpr int UnknownPicture = -1;
+/// After such a picture, to show it: the monitor gets the end of the first one with the second.
+constexpr int WholeFrames = 2;
 
 /// Looks at the settled wires of every clock, at the edge that ends it.
 class EdgeProbe : public sc_core::sc_module {
@@ -51,11 +57,15 @@ struct WiredBench::Platform {
   sc_core::sc_clock clk;
   wire<1> rst_n{"rst_n"}, pwm{"pwm"};
   wire<8> uo{"uo"};
+  wire<1> hsync_n{"hsync_n"}, vsync_n{"vsync_n"};
+  wire<DacProbe::Bits> red{"red"}, green{"green"}, blue{"blue"};
   const std::unique_ptr<wired_chip> dut;
   VgaFrame picture;
   VgaMonitor vga;
   std::unique_ptr<SoundMonitor> sound;
   PinProbe pins;
+  DacProbe dac;
+  std::unique_ptr<Surroundings> around;  // nullptr: nothing
   std::vector<std::unique_ptr<EdgeProbe>> probes;
   std::vector<std::unique_ptr<Lockstep>> locksteps;
   int next_frame = 0;
@@ -73,6 +83,11 @@ struct WiredBench::Platform {
   void probe(std::function<void()> see);
   void look_each_clock();
   void start(const sc_core::sc_time& time);
+  void end_clock() {
+    if (watches.stats) dut->count();
+    if (around) around->clock();
+  }
+  bool tiny_vga() const { return dut->video().bits == TinyVga.bits; }
 
   Platform(const Setting& s, const Watches& w)
       : setting(s),
@@ -81,13 +96,23 @@ struct WiredBench::Platform {
         raster(raster_of(s.built, s.k)),
         clk("clk", period, 0.5, period),
         dut(s.built.make_signal("chip", s.k, s.scene, s.units)),
-        vga(raster, [this](const VgaFrame& f) { picture = f; }, {w.crc, w.crc}),
+        vga(
+            raster, [this](const VgaFrame& f) { picture = f; }, {w.crc, w.crc}, nullptr,
+            tiny_vga() ? TinyVga : converter_pinout(dut->video().bits)),
         sound(w.sound ? new SoundMonitor : nullptr),
-        pins("pins", period, period, &vga, sound.get()) {
-    dut->connect({clk, rst_n, uo, pwm});
+        pins("pins", period, period, tiny_vga() ? &vga : nullptr, sound.get()),
+        dac("dac", (1 + dut->video().delay) * period, period, tiny_vga() ? nullptr : &vga) {
+    dut->connect({clk, rst_n, uo, pwm, hsync_n, vsync_n, red, green, blue});
     pins.uo_i(uo);
     pins.pwm_i(pwm);
-    if (w.stats) probe([this] { dut->count(); });
+    dac.hsync_ni(hsync_n);
+    dac.vsync_ni(vsync_n);
+    dac.red_i(red);
+    dac.green_i(green);
+    dac.blue_i(blue);
+    if (const auto make = bench_of(s.built).around) around = make(*dut, s);
+    if (around && w.crc) around->rest(WholeFrames);
+    if (w.stats || around) probe([this] { end_clock(); });
     if (w.each_edge) probe([this] { watches.each_edge(*dut); });
     put_all_beside();
 
@@ -96,6 +121,7 @@ struct WiredBench::Platform {
     simulate(period * 1.25);
     dut->set_pins();
     rst_n.write(true);
+    if (around) around->seek(0);
   }
 };
 
@@ -133,12 +159,18 @@ WiredBench::WiredBench(const Setting& setting, const Watches& watches)
 WiredBench::~WiredBench() = default;
 
 void WiredBench::seek(int frame) {
-  if (frame == platform_->next_frame) return;
-  platform_->dut->deposit(frame);
-  for (auto& lockstep : platform_->locksteps)
+  Platform& p = *platform_;
+  if (frame == p.next_frame) return;
+  if (p.around && p.around->busy()) {
+    p.around->hold_reset();
+    advance(p.raster.frame_clocks());
+  }
+  p.dut->deposit(frame);
+  for (auto& lockstep : p.locksteps)
     lockstep->deposit(
-        [&](rtl_instance& rtl) { platform_->dut->deposit_beside(lockstep->unit(), rtl, frame); });
-  platform_->next_frame = frame;
+        [&](rtl_instance& rtl) { p.dut->deposit_beside(lockstep->unit(), rtl, frame); });
+  if (p.around) p.around->seek(frame);
+  p.next_frame = frame;
 }
 
 void WiredBench::advance(int clocks) {
@@ -153,18 +185,25 @@ void WiredBench::advance(int clocks) {
   }
   if (p.frame_clock < p.raster.frame_clocks()) return;
   p.frame_clock = 0;
-  p.next_frame = (p.next_frame + 1) % p.setting.frames;
+  p.next_frame = p.around ? UnknownPicture : (p.next_frame + 1) % p.setting.frames;
   p.pins.advance();
+  p.dac.advance();
 }
 
 WiredBench::Frame WiredBench::render() {
   Platform& p = *platform_;
   const int number = p.next_frame;
-  advance(p.raster.frame_clocks());
+  const int pictures = p.around ? p.around->pictures() : 0;
+  do advance(p.raster.frame_clocks());
+  while (p.around && p.around->pictures() == pictures);
+  for (int n = 0; p.around && p.watches.crc && n < WholeFrames; ++n)
+    advance(p.raster.frame_clocks());
   Frame frame{number, p.picture, {}, {}};
   if (p.watches.stats) frame.stats = p.dut->take_counts();
   return frame;
 }
+
+const Surroundings* WiredBench::around() const { return platform_->around.get(); }
 
 void WiredBench::settle() {
   while (sc_core::sc_pending_activity_at_current_time()) platform_->start(sc_core::SC_ZERO_TIME);

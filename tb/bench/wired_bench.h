@@ -15,6 +15,8 @@
 
 namespace racebeam {
 
+class Surroundings;
+
 class WiredBench : public ChipBench {
  public:
   /// What is built.
@@ -41,13 +43,16 @@ class WiredBench : public ChipBench {
   WiredBench(const Setting& setting, const Watches& watches);
   ~WiredBench() override;
 
-  /// Not in the middle of a frame.
+  /// Not in the middle of a frame. A chip with surroundings that is busy loses a frame by it.
   void seek(int frame) override;
   /// Simulates so many clocks, to the end of the frame at most. Throws SyncError, what
   /// each_clock()'s `look` throws, RtlFault, and Interrupted between two lines.
   void advance(int clocks);
-  /// One frame, or the rest of one.
+  /// One frame, or the rest of one; of a chip with surroundings, frames to the end of a picture,
+  /// and as the picture what the screen shows in the last of them.
   Frame render() override;
+  /// What is around the chip; nullptr: nothing.
+  const Surroundings* around() const;
   /// Lets all wires settle without a clock: after seek(), and after construction, they have not.
   void settle();
   /// From now on `look` is called in every clock once its wires have settled, beginning with the

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sc/sphere/first_hit.h"
+
 namespace racebeam {
 
 namespace {
@@ -68,7 +70,8 @@ bool SphereGolden::meet_spheres(const Vector& origin, const Vector& direction, i
 }
 
 void SphereGolden::meet_planes(const Vector& origin, const Vector& direction, Hit& hit) const {
-  for (const plane_row& plane : scene_.tables.planes) {
+  for (std::size_t index = 0; index < scene_.tables.planes.size(); ++index) {
+    const plane_row& plane = scene_.tables.planes[index];
     const Vector normal = number(plane.normal);
     const double towards = dot(normal, direction);
     if (towards >= 0) continue;
@@ -81,6 +84,7 @@ void SphereGolden::meet_planes(const Vector& origin, const Vector& direction, Hi
     if (!within) continue;
     const auto square = [&](double at) { return static_cast<int>(std::floor(at)) & plane.checker; };
     hit.any = hit.plane = true;
+    hit.index = index;
     hit.t = t;
     hit.point = p;
     hit.normal = normal;
@@ -90,6 +94,7 @@ void SphereGolden::meet_planes(const Vector& origin, const Vector& direction, Hi
 }
 
 bool SphereGolden::in_shadow(const Hit& hit, const Vector& to_light, double distance) const {
+  if (!scene_.shadows) return false;
   for (std::size_t n = 0; n + 1 < balls_.size(); ++n) {
     if (!hit.plane && n == hit.index) continue;
     const Vector c = along(balls_[n].centre, hit.point, -1);
@@ -97,7 +102,10 @@ bool SphereGolden::in_shadow(const Hit& hit, const Vector& to_light, double dist
     if (tca < 0) continue;
     if (c2 < r2 || (tca <= distance && tca * tca - c2 + r2 >= 0)) return true;
   }
-  return false;
+  if (!scene_.plane_shadows || !scene_.planes) return false;
+  Hit plane;
+  meet_planes(hit.point, to_light, plane);
+  return plane.any && plane.t <= distance;
 }
 
 SphereGolden::Vector SphereGolden::shade(const Hit& hit) const {
@@ -110,14 +118,27 @@ SphereGolden::Vector SphereGolden::shade(const Hit& hit) const {
   return times(hit.colour, hit.plane ? 1 : std::min(cosine, 1.0) + 0.5);
 }
 
+SphereGolden::Vector SphereGolden::direction(double x, double y) const {
+  Vector way = {(x - scene_.columns / 2.0 - eye_[0]) / 32, (y - scene_.rows / 2.0 - eye_[1]) / 32,
+                screen_ - eye_[2] / 32};
+  normalise(way);
+  return way;
+}
+
+int SphereGolden::first_hit(int x, int y) const {
+  const Vector way = direction(x, y);
+  Hit hit;
+  if (meet_spheres(eye_, way, -1, true, hit)) return EyeInside;
+  if (!hit.any && scene_.planes) meet_planes(eye_, way, hit);
+  if (!hit.any) return MeetsNothing;
+  return static_cast<int>(hit.index) + (hit.plane ? FirstPlane : 0);
+}
+
 SphereGolden::Vector SphereGolden::ray(double x, double y) const {
-  Vector sum{}, origin = eye_;
-  Vector direction = {(x - scene_.columns / 2.0 - eye_[0]) / 32,
-                      (y - scene_.rows / 2.0 - eye_[1]) / 32, screen_ - eye_[2] / 32};
+  Vector sum{}, origin = eye_, direction = this->direction(x, y);
   double weight = FullWeight;
   int own = -1;
   for (int reflections = 0;; ++reflections) {
-    normalise(direction);
     Hit hit;
     if (meet_spheres(origin, direction, own, reflections == 0, hit)) return sum;
     if (!hit.any && scene_.planes) meet_planes(origin, direction, hit);
@@ -128,6 +149,7 @@ SphereGolden::Vector SphereGolden::ray(double x, double y) const {
     if (reflections == scene_.reflections || weight < scene_.min_weight / One || hit.is_light)
       return sum;
     direction = along(direction, hit.normal, -2 * dot(direction, hit.normal));
+    normalise(direction);
     origin = hit.point;
     own = hit.plane ? -1 : static_cast<int>(hit.index);
   }
@@ -146,7 +168,8 @@ std::array<int, 3> SphereGolden::pixel(int x, int y) const {
     all = along(all, ray(x + offsets[n][0], y + offsets[n][1]), share);
   }
   std::array<int, 3> levels{};
-  for (std::size_t n = 0; n < 3; ++n) levels[n] = static_cast<int>(all[n] / 32);
+  const double level = 1 << (ChannelBits - scene_.colour_bits);
+  for (std::size_t n = 0; n < 3; ++n) levels[n] = static_cast<int>(all[n] / level);
   return levels;
 }
 

@@ -23,14 +23,21 @@ struct SphereGoldenScene {
   int sub_rays = 1;  ///< 1, 5 (4x) or 9 (8x)
   bool planes = false;
   int min_weight = 40;  ///< of 4096
+  int colour_bits = 5;  ///< of a channel
+  bool shadows = true;
+  bool plane_shadows = false;
 };
 
 class SphereGolden {
  public:
   explicit SphereGolden(SphereGoldenScene scene);
 
-  /// Levels of red, green, blue, 0 to 31.
+  /// Levels of red, green, blue, of colour_bits each.
   std::array<int, 3> pixel(int x, int y) const;
+  /// Channels 0 to 1023 of a ray through a point of the screen, in pixels; not rounded.
+  std::array<double, 3> ray(double x, double y) const;
+  /// What the ray through the middle of a pixel meets first: see sphere_first_hit.
+  int first_hit(int x, int y) const;
 
  private:
   using Vector = std::array<double, 3>;
@@ -49,8 +56,8 @@ class SphereGolden {
     bool is_light = false;
   };
 
-  /// Channels 0 to 1023 of a ray through a point of the screen.
-  Vector ray(double x, double y) const;
+  /// From the eye to a point of the screen, of length 1.
+  Vector direction(double x, double y) const;
   bool meet_spheres(const Vector& origin, const Vector& direction, int own, bool primary,
                     Hit& hit) const;
   void meet_planes(const Vector& origin, const Vector& direction, Hit& hit) const;

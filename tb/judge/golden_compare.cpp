@@ -3,6 +3,7 @@
 #include "tb/judge/golden_compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "tb/judge/picture_chain.h"
@@ -65,7 +66,24 @@ int golden_limits() { return static_cast<int>(trace_4_links().size()); }
 
 GoldenCounts::GoldenCounts() : by_cause(golden_causes().size()) {}
 
+PictureErrors& PictureErrors::operator+=(const PictureErrors& more) {
+  pixels += more.pixels;
+  differing += more.differing;
+  by_more += more.by_more;
+  wrong_hits += more.wrong_hits;
+  squares += more.squares;
+  most = std::max(most, more.most);
+  return *this;
+}
+
+double PictureErrors::rmse() const {
+  return pixels ? std::sqrt(static_cast<double>(squares) / (3 * static_cast<double>(pixels))) : 0;
+}
+
+double PictureErrors::psnr() const { return 20 * std::log10(most / rmse()); }
+
 GoldenCounts& GoldenCounts::operator+=(const GoldenCounts& more) {
+  errors += more.errors;
   for (std::size_t i = 0; i < by_tracer.size(); ++i) by_tracer[i] += more.by_tracer[i];
   for (std::size_t i = 0; i < by_cause.size(); ++i) by_cause[i] += more.by_cause[i];
   return *this;

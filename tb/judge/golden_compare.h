@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "tb/golden/golden_picture.h"
@@ -26,6 +27,20 @@ namespace racebeam {
 const std::vector<ErrorCause>& golden_causes();
 int golden_limits();
 
+/// How far pictures are from those of an engine's only golden tracer.
+struct PictureErrors {
+  std::uint64_t pixels = 0;      ///< compared; 0: the engine has several golden tracers
+  std::uint64_t differing = 0;   ///< of them
+  std::uint64_t by_more = 0;     ///< by more than one level in some channel
+  std::uint64_t wrong_hits = 0;  ///< pixels whose first ray meets something else
+  std::uint64_t squares = 0;     ///< of the errors of all channels, in levels
+  int most = 0;                  ///< the highest level
+
+  PictureErrors& operator+=(const PictureErrors& more);
+  double rmse() const;  ///< levels
+  double psnr() const;  ///< dB; infinite if nothing differs
+};
+
 /// Of one frame, or sums over several.
 struct GoldenCounts {
   GoldenCounts();
@@ -33,6 +48,7 @@ struct GoldenCounts {
 
   std::array<int, 3> by_tracer{};  ///< pixels that differ from each GoldenTracer's picture
   std::vector<int> by_cause;       ///< pixels, by golden_causes()
+  PictureErrors errors;            ///< instead, of an engine with one golden tracer
 };
 
 /// What a comparison of one frame found.

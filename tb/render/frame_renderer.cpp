@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "tb/bench/benches.h"
+#include "tb/judge/goldens.h"
 #include "tb/monitor/raster.h"
 #include "tb/view/map_picture.h"
 
@@ -62,6 +63,11 @@ RenderedFrame FrameRenderer::render(int index) {
   for (const MapKind kind : plan_.overlays)
     rendered.files.push_back(overlay_file(plan_, kind, frame));
   if (!plan_.compare) return rendered;
+  if (const GoldenKind* const golden = golden_of(plan_.show.engine())) {
+    rendered.golden.emplace().errors =
+        golden->compare(plan_.show.tables(), plan_.k, frame.number, frame.picture, 1);
+    return rendered;
+  }
   const GoldenReport found =
       golden_compare(plan_.show, frame.number, plan_.k, frame.picture.colours);
   rendered.golden = found.counts;

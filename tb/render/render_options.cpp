@@ -14,6 +14,7 @@
 #include "tb/base/nearest.h"
 #include "tb/base/output_file.h"
 #include "tb/bench/benches.h"
+#include "tb/judge/goldens.h"
 #include "tb/render/output_folder.h"
 #include "tb/render/picture_plan.h"
 #include "tb/render/unit_files.h"
@@ -125,7 +126,14 @@ void check_engine(const RenderOptions& options, const RenderPlan& plan) {
   if (!plan.overlays.empty() && !bench_of(built).intervals)
     throw UsageError(
         fmt::format("--overlay shows intervals; {} has none: leave out --overlay", built.name));
-  if (!options.golden.empty()) expect_rooms(plan.show, "--golden");
+  if (options.against == "demo") expect_rooms(plan.show, "--against demo");
+  if (options.golden.empty() || plan.show.of_rooms()) return;
+  if (!golden_of(built)) expect_rooms(plan.show, "--golden");
+  if (plan.tracer && *plan.tracer != GoldenTracer::Geometry)
+    throw UsageError(
+        fmt::format("--golden {} is for scenes of box rooms; of {} there is geometry, "
+                    "in double precision, and compare",
+                    options.golden, built.name));
 }
 
 // What several processes cannot do.

@@ -45,6 +45,7 @@ std::string RenderedFrame::bytes() const {
   if (golden) {
     to.put(golden->by_tracer);
     to.put(golden->by_cause);
+    to.put(golden->errors);
   }
   to.put(files.size());
   for (const PictureFile& file : files) {
@@ -64,6 +65,7 @@ RenderedFrame RenderedFrame::of_bytes(const std::string& bytes) {
     frame.golden.emplace();
     from.get(frame.golden->by_tracer);
     from.get(frame.golden->by_cause);
+    from.get(frame.golden->errors);
   }
   std::size_t count = 0;
   from.get(count);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -13,7 +14,25 @@ namespace racebeam {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+/// To a thousandth.
+double rounded(double value) { return std::round(1000 * value) / 1000; }
+
+Json errors_json(const PictureErrors& e) {
+  return {{"pixels", e.pixels},
+          {"differing_pixels", e.differing},
+          {"by_more_than_one_level", e.by_more},
+          {"wrong_first_hits", e.wrong_hits},
+          {"levels", e.most},
+          {"rmse", rounded(e.rmse())},
+          {"psnr", e.squares ? Json(rounded(e.psnr())) : Json()}};
+}
+
+}  // namespace
+
 Json golden_json(const GoldenCounts& counts) {
+  if (counts.errors.pixels) return errors_json(counts.errors);
   Json differing, causes;
   for (std::size_t i = 0; i < counts.by_tracer.size(); ++i)
     differing[golden_tracer_names()[i]] = counts.by_tracer[i];
@@ -22,10 +41,11 @@ Json golden_json(const GoldenCounts& counts) {
   return {{"differing_pixels", differing}, {"causes", causes}};
 }
 
-GoldenFrames::GoldenFrames(std::string scene, GoldenTracer tracer, const knobs& k)
+GoldenFrames::GoldenFrames(std::string scene, GoldenTracer tracer, GoldenTables tables,
+                           const knob_values& k)
     : scene_(std::move(scene)),
       tracer_(tracer),
-      tables_(golden_tables(tracer)),
+      tables_(std::move(tables)),
       knobs_(k),
       lines_(tables_.lines.size()) {
   sums_.counters.resize(tables_.counters.size());

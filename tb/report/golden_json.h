@@ -17,15 +17,17 @@
 
 namespace racebeam {
 
-/// {"differing_pixels": {"trace2": N, ...}, "causes": {"give_up": N, ...}}
+/// {"differing_pixels": {"trace2": N, ...}, "causes": {"give_up": N, ...}}; of PictureErrors
+/// {"pixels", "differing_pixels", "by_more_than_one_level", "wrong_first_hits", "levels", "rmse",
+/// "psnr"}.
 nlohmann::ordered_json golden_json(const GoldenCounts& counts);
 
 /// stats.json of a render by a golden tracer, schema "racebeam-golden" version 2: frames with their
-/// checksums and what the tracer counts, by golden_tables(). There is no chip, so there are none of
+/// checksums and what the tracer counts, by its tables. There is no chip, so there are none of
 /// its counters.
 class GoldenFrames {
  public:
-  GoldenFrames(std::string scene, GoldenTracer tracer, const knobs& k);
+  GoldenFrames(std::string scene, GoldenTracer tracer, GoldenTables tables, const knob_values& k);
 
   /// Adds a whole frame; with the CRC of its picture if `crc`.
   void add(int frame, const std::string& part, const frame_counts& counts, const VgaFrame& picture,
@@ -43,7 +45,7 @@ class GoldenFrames {
   const std::string scene_;
   const GoldenTracer tracer_;
   const GoldenTables tables_;
-  const knobs knobs_;
+  const knob_values knobs_;
   std::vector<std::string> frames_;  // JSON texts
   frame_counts sums_;
   std::vector<LineSpread> lines_;

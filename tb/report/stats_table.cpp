@@ -28,7 +28,10 @@ std::string row(const engine& counter, const std::string& frame, const std::stri
 constexpr const char* GoldenColumn = " {:>14}";
 
 std::string golden_column(const std::optional<GoldenCounts>& golden) {
-  return golden ? fmt::format(GoldenColumn, golden->by_tracer[int(GoldenTracer::Trace4)]) : "";
+  if (!golden) return "";
+  const PictureErrors& errors = golden->errors;
+  return errors.pixels ? fmt::format(GoldenColumn, errors.differing)
+                       : fmt::format(GoldenColumn, golden->by_tracer[int(GoldenTracer::Trace4)]);
 }
 
 }  // namespace
@@ -39,7 +42,9 @@ std::string table_header(const engine& counter, bool crc, bool golden) {
     if (one.column) text += fmt::format(" {:>{}}", one.title, one.column);
   for (const line_info& one : counter.lines)
     if (*one.title) text += fmt::format(" {}", one.title);
-  return text + (golden ? fmt::format(GoldenColumn, "not as trace4") : "") +
+  return text +
+         (golden ? fmt::format(GoldenColumn, counter.races_beam ? "not as trace4" : "not as golden")
+                 : "") +
          (crc ? "  image    pins\n" : "\n");
 }
 
@@ -77,7 +82,29 @@ std::string line_account(const StatsReport& report) {
   return text.empty() ? "" : fmt::format("clocks of a line: {}in all {:.0f}\n", text, all);
 }
 
+namespace {
+
+std::string errors_table(const PictureErrors& e) {
+  const auto row = [](const char* name, const std::string& value, const char* unit) {
+    return fmt::format("{:<24} {:>10}  {}\n", name, value, unit);
+  };
+  const auto share = [&](const char* name, std::uint64_t part) {
+    return row(
+        name, std::to_string(part),
+        fmt::format("{:.2f} %", 100.0 * static_cast<double>(part) / static_cast<double>(e.pixels))
+            .c_str());
+  };
+  return "\nthe chip beside double precision\n" + row("pixels", std::to_string(e.pixels), "") +
+         share("differing", e.differing) + share("by more than one level", e.by_more) +
+         share("wrong first hit", e.wrong_hits) +
+         row("RMSE", fmt::format("{:.3f}", e.rmse()), fmt::format("levels of {}", e.most).c_str()) +
+         row("PSNR", e.squares ? fmt::format("{:.1f}", e.psnr()) : "-", "dB");
+}
+
+}  // namespace
+
 std::string golden_table(const GoldenCounts& counts) {
+  if (counts.errors.pixels) return errors_table(counts.errors);
   std::string text = "\npixels that differ from the golden tracers, and why\n";
   const auto row = [&](const std::string& name, int pixels, const std::string& meaning) {
     text += fmt::format("{:<20} {:>10}  {}\n", name, pixels, meaning);

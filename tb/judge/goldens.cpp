@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/judge/goldens.h"
+
+#include "sc/sphere/engine.h"
+#include "tb/judge/sphere_judge.h"
+
+namespace racebeam {
+
+const std::vector<GoldenKind>& goldens() {
+  static const std::vector<GoldenKind> table = {
+      {sphere_engine(), sphere_golden_picture, sphere_golden_errors}};
+  return table;
+}
+
+const GoldenKind* golden_of(const engine& built) {
+  for (const GoldenKind& kind : goldens())
+    if (&kind.engine == &built) return &kind;
+  return nullptr;
+}
+
+}  // namespace racebeam

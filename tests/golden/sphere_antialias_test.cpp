@@ -1,0 +1,76 @@
+// The weights of the sphere tracer's sub-rays beside others: the design's order.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "tb/golden/sphere_golden.h"
+
+namespace racebeam {
+namespace {
+
+using Weights = std::array<double, 3>;  // of the middle, the corners, the edges of a pixel
+using Colour = std::array<double, 3>;
+
+void add(Colour& to, const Colour& ray, double weight) {
+  for (std::size_t n = 0; n < 3; ++n) to[n] += ray[n] * weight;
+}
+
+/// The error of weighted sub-rays against 64 rays a pixel, in levels of 31, around a sphere.
+class Errors {
+ public:
+  Errors() {
+    SphereGoldenScene scene;
+    scene.spheres = builtin_spheres(false);
+    const SphereGolden golden(scene);
+    for (int y = 184; y < 296; y += 3)
+      for (int x = 144; x < 256; x += 3) {
+        Pixel p{};
+        p.middle = golden.ray(x, y);
+        for (const double one : {-0.5, 0.5}) {
+          for (const double other : {-0.5, 0.5}) add(p.corners, golden.ray(x + one, y + other), 1);
+          add(p.edges, golden.ray(x + one, y), 1);
+          add(p.edges, golden.ray(x, y + one), 1);
+        }
+        for (int n = 0; n < 64; ++n)
+          add(p.fine, golden.ray(x + (n % 8 - 3.5) / 8, y + (n / 8 - 3.5) / 8), 1.0 / 64);
+        pixels_.push_back(p);
+      }
+  }
+  double of(const Weights& weights) const {
+    double squares = 0;
+    for (const Pixel& p : pixels_)
+      for (std::size_t n = 0; n < 3; ++n) {
+        const double is =
+            p.middle[n] * weights[0] + p.corners[n] * weights[1] + p.edges[n] * weights[2];
+        squares += (is - p.fine[n]) * (is - p.fine[n]);
+      }
+    return std::sqrt(squares / static_cast<double>(3 * pixels_.size())) / 32;
+  }
+
+ private:
+  struct Pixel {
+    Colour middle, corners, edges, fine;
+  };
+  std::vector<Pixel> pixels_;
+};
+
+TEST(SphereAntialias, TheChipsWeightsWin) {
+  const Errors errors;
+  const double none = errors.of({1, 0, 0}), five_equal = errors.of({0.2, 0.2, 0}),
+               four = errors.of({0.5, 0.125, 0}), nine_equal = errors.of({1 / 9., 1 / 9., 1 / 9.}),
+               eight = errors.of({0.25, 0.0625, 0.125});
+  EXPECT_GT(none, five_equal);
+  EXPECT_GT(five_equal, four);
+  EXPECT_GT(four, nine_equal);
+  EXPECT_GT(nine_equal, eight);
+  EXPECT_GT(none, 2 * four);
+  RecordProperty("rmse",
+                 testing::PrintToString(std::array{none, five_equal, four, nine_equal, eight}));
+}
+
+}  // namespace
+}  // namespace racebeam
