@@ -11,6 +11,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
+#include "tb/bench/benches.h"
 #include "tb/program/common_options.h"
 #include "tb/show/open_show.h"
 #include "tb/trace/beam_transaction_bench.h"
@@ -46,7 +47,7 @@ int draw(const TraceOptions& options) {
 /// them.
 std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWindowReader& reader,
                                      const Run& run, const Raster& raster) {
-  if (!options.searches()) return reader.window(options.from, options.to);
+  if (!options.searches()) return options.said(reader);
   expect_rooms(run.show, "--around");
   const TraceWindow where = options.searched(reader);
   const std::int64_t begin = TracePoint{where.from.frame, FirstLine, 0}.ordinal(raster);
@@ -59,7 +60,7 @@ std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWin
       });
   progress.clear();
   if (interrupted()) return std::nullopt;
-  if (!found) throw options.nothing_found(where);
+  if (!found) throw options.nothing_found(where, raster);
   tell(fmt::format("{}: frame {}, line {}, clock {}", options.around, found->frame, found->line,
                    found->clock));
   return options.around_point(*found, reader, raster);
@@ -83,10 +84,14 @@ int watch(const TraceOptions& options, const TraceWindowReader& reader, WiredBen
       [&](const TracePoint& at) { return options.around_point(at, reader, raster); },
       [&](TraceRun& copy, const TraceWindow& window) { return writer.write(copy, window); }};
   if (const std::optional<int> code = watch.run(run, first, where.to.ordinal(raster))) return *code;
-  if (!options.when.empty() && options.record == 0) throw options.nothing_found(where);
-  tell(fmt::format("nothing happened from {}:{} to {}:{}; nothing is written", where.from.frame,
-                   where.from.line, where.to.frame, where.to.line));
+  if (!options.when.empty() && options.record == 0) throw options.nothing_found(where, raster);
+  tell(fmt::format("nothing happened from {} to {}; nothing is written",
+                   point_option(where.from, raster), point_option(where.to, raster)));
   return ExitGood;
+}
+
+WiredBench::Setting setting_of(const Run& run) {
+  return {run.show.engine(), run.k, run.show.tables(), run.show.frames(), run.units};
 }
 
 /// Whether some unit is compared.
@@ -108,10 +113,12 @@ int command_trace(const TraceOptions& options) {
     throw UsageError(
         "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
   Run run = open_run(options);
-  const Raster raster = run.raster();
-  const TraceWindowReader reader(run.show.frames(), raster);
+  const auto pixels = bench_of(run.show.engine()).pixels;
+  const Raster raster = pixels ? picture_axis(run.raster()) : run.raster();
+  const TraceWindowReader reader(run.show.frames(), raster,
+                                 [&](int picture) { return pixels(setting_of(run), picture); });
   reader.check(options.from, options.to);
-  options.check(raster);
+  options.check(run.raster());
 
   const WindowWriter writer{run.show.name(), [&](int frame) { return run.show.part(frame); },
                             options.output, options.picture, options.selection()};
@@ -135,7 +142,7 @@ int command_trace(const TraceOptions& options) {
   use_units(run, options.units, true);
   if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
-  WiredBench bench({run.show.engine(), run.k, run.show.tables(), run.show.frames(), run.units});
+  WiredBench bench(setting_of(run));
   if (!window) return watch(options, reader, bench, raster, writer);
   TraceRun traced(bench, raster, window->from.frame);
   return writer.write(traced, *window);
@@ -167,7 +174,9 @@ void add_options(const CommandOptions& command, TraceOptions& options) {
       .capture_default_str();
   text("--picture", options.picture, "FILE.svg",
        "Draw the window, for documents; of at most 400 clocks and 100 signals");
-  text("--from", options.from, "FRAME:LINE[:CLOCK]", "First clock; lines are -273..251");
+  text("--from", options.from, "FRAME:LINE[:CLOCK]",
+       "First clock; lines are -273..251; of an engine that does not race the beam PICTURE:CLOCK, "
+       "or PICTURE:@X,Y, in which that pixel begins");
   text("--to", options.to, "FRAME:LINE[:CLOCK]", "Last clock; without CLOCK the line's last");
   text(
       "--around", options.around, "TRIGGER",
@@ -179,6 +188,7 @@ void add_options(const CommandOptions& command, TraceOptions& options) {
   const auto number = [&](const char* name, auto& to, const char* help) {
     return command.add_option(name, to, help).type_name("N").check(is_number(name, "0 or more"));
   };
+  number("--pixels", options.pixels, "So many pixels from --from PICTURE:@X,Y on, instead of --to");
   number("--lines", options.lines, "Lines before and after the one of --around or --when")
       .default_str("1");
   number("--pre", options.pre, "Clocks before it instead of lines");

@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "sc/beam/units.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
+#include "tb/program/common_options.h"
+#include "tb/scene/engines.h"
+#include "tb/show/open_show.h"
 
 namespace racebeam {
 
@@ -36,36 +38,39 @@ std::string rtl_text(const unit_row& row) try {
   return "";
 }
 
-std::string table() {
+std::string table(const engine& one) {
   std::string text = fmt::format(Row, "unit", "instance", "shows", "RTL");
-  for (const unit_row& row : unit_table())
-    text += fmt::format(Row, row.name, instance_of(row.name), shows_text(row.shows), rtl_text(row));
+  for (const unit_row& row : one.units)
+    text += fmt::format(Row, row.name, row.instance(), shows_text(row.shows), rtl_text(row));
   return text;
 }
 
-std::string json_table() {
+std::string json_table(const engine& one) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const unit_row& row : unit_table())
+  for (const unit_row& row : one.units)
     rows.push_back({{"name", row.name},
                     {"slot", row.slot},
-                    {"instance", instance_of(row.name)},
+                    {"instance", row.instance()},
                     {"shows", shows_text(row.shows)},
                     {"rtl", rtl_text(row)}});
-  return nlohmann::ordered_json{{"schema", "racebeam-units"}, {"version", 1}, {"units", rows}}.dump(
-             2) +
+  return nlohmann::ordered_json{
+             {"schema", "racebeam-units"}, {"version", 1}, {"engine", one.name}, {"units", rows}}
+             .dump(2) +
          "\n";
 }
 
 }  // namespace
 
 int command_units(const UnitsOptions& options) {
-  print(options.json ? json_table() : table());
+  const engine& one = options.engine.empty() ? *engines().front() : engine_named(options.engine);
+  print(options.json ? json_table(one) : table(one));
   return ExitGood;
 }
 
 namespace {
 
 void add_options(const CommandOptions& command, UnitsOptions& options) {
+  add_engine_option(command, options.engine, "Of this engine");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

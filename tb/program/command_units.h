@@ -4,11 +4,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "tb/program/command.h"
 
 namespace racebeam {
 
 struct UnitsOptions {
+  std::string engine;  ///< empty: the first one
   bool json = false;
 };
 

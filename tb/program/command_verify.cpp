@@ -15,6 +15,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
 #include "tb/base/progress.h"
+#include "tb/bench/surroundings.h"
 #include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
 #include "tb/program/verify_report.h"
@@ -31,10 +32,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+long long frames_of(const VerifyOptions& options, const Show& show) {
+  if (options.frames != VerifyOptions::UsualFrames) return options.frames;
+  return std::min(show.engine().races_beam ? 60 : 2, show.frames());
+}
+
 bool all_differ(const WiredBench& bench) {
   const auto units = bench.locksteps();
   return std::all_of(units.begin(), units.end(),
                      [](auto* unit) { return unit->first() || unit->fault(); });
+}
+
+/// A frame; or those of a picture, until there is nothing more to find.
+void show_frame(WiredBench& bench, const Raster& raster) {
+  const Surroundings* around = bench.around();
+  const int pictures = around ? around->pictures() : 0;
+  do bench.advance(raster.frame_clocks());
+  while (around && around->pictures() == pictures && !all_differ(bench));
 }
 
 /// What the user wrote of a unit, for a command that repeats a run.
@@ -52,11 +66,17 @@ std::string repeat_text(const VerifyOptions& options, const std::string& unit, l
   return text + options.set_text();
 }
 
+/// The first clock of a frame or picture, as `trace --from` takes it.
+std::string frame_option(const Show& show, int frame) {
+  return fmt::format("{}:{}", frame, show.engine().races_beam ? FirstLine : 0);
+}
+
 /// The command that shows the chip around a difference in a frame.
-std::string closer_text(const VerifyOptions& options, const std::string& unit, int frame) {
+std::string closer_text(const VerifyOptions& options, const std::string& unit,
+                        const std::string& from) {
   const std::string word = word_of(options, unit), file = word.substr(unit.size());
   const std::string use = unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
-  return trace_command(options.scene, frame, unit, " --use " + use + options.set_text());
+  return trace_command(options.scene, from, unit, " --use " + use + options.set_text());
 }
 
 /// All units at once, in the chip, over frames spread over the show, until each has differed or
@@ -69,15 +89,20 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   WiredBench bench({show.engine(), k, show.tables(), show.frames(), choices}, watches);
   const Raster raster = raster_of(show.engine(), k);
   std::vector<int> frames;
-  Progress progress(static_cast<int>(options.frames));
-  for (int i = 0; i < options.frames && !interrupted() && !all_differ(bench); ++i) {
-    frames.push_back(static_cast<int>(i * show.frames() / options.frames));
-    bench.seek(frames.back());
+  const long long number = frames_of(options, show);
+  Progress progress(static_cast<int>(number));
+  for (int i = 0; i < number && !interrupted() && !all_differ(bench); ++i) {
+    const int frame = static_cast<int>(i * show.frames() / number);
+    bench.seek(frame);
+    frames.resize(bench.clocks() / static_cast<std::uint64_t>(raster.frame_clocks()),
+                  frames.empty() ? frame : frames.back());
+    frames.push_back(frame);
     try {
-      bench.render();
+      show_frame(bench, raster);
     } catch (const Interrupted&) {
       break;
     }
+    frames.resize(bench.clocks() / static_cast<std::uint64_t>(raster.frame_clocks()), frame);
     progress.draw(i + 1, bench.clocks());
   }
   progress.clear();
@@ -96,8 +121,10 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
     if (const auto& d = unit->first()) {
       const BeamPlace place = place_of(d->clock, frames, raster);
       const DifferenceContext context{
-          "in " + place_text(place, raster), repeat_text(options, unit->unit(), options.frames, 0),
-          closer_text(options, unit->unit(), place.frame),
+          "in " +
+              (show.engine().races_beam ? place_text(place, raster) : picture_text(place, raster)),
+          repeat_text(options, unit->unit(), number, 0),
+          closer_text(options, unit->unit(), frame_option(show, place.frame)),
           save_chip_window(*d, {show, raster, frames}, k, options.folder), knobs_text(k)};
       verdict.first =
           FirstDifference{d->port, d->clock, d->expected, d->got, place, explain(*d, context)};
@@ -162,9 +189,10 @@ Run plan_verify(const VerifyOptions& options) {
   if (options.frames == 0 && options.random == 0)
     throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
   Run run = open_run(options, true);
-  if (options.frames < 0 || options.frames > run.show.frames())
-    throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", options.frames,
-                                 run.show.frames()));
+  const long long frames = frames_of(options, run.show);
+  if (frames > run.show.frames())
+    throw UsageError(
+        fmt::format("--frames {} is out of range; the scene has {}", frames, run.show.frames()));
   try_folder(options.folder);  // a difference may be found after an hour
   return run;
 }
@@ -179,7 +207,7 @@ int command_verify(const VerifyOptions& options) {
   if (options.random > 0) verdicts = verify_at_random(options, show, k, choices);
   for (const UnitVerdict& verdict : verdicts)
     if (!verdict.fault.empty()) choices.by_unit.erase(verdict.unit);
-  if (options.frames > 0 && !interrupted() && !choices.by_unit.empty())
+  if (frames_of(options, show) > 0 && !interrupted() && !choices.by_unit.empty())
     for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
       verdicts.push_back(verdict);
 
@@ -220,9 +248,10 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
   command.add_option("--scene", options.scene, "demo, or a scene file")
       .type_name("SCENE")
       .capture_default_str();
-  add_number(command, "--frames", options.frames, "Frames of the chip, spread over the scene",
-             is_number("--frames", "0..12799 in the demo"))
-      .capture_default_str();
+  add_number(command, "--frames", options.frames,
+             "Frames of the chip, spread over the scene; 60, or 2 whole pictures of an engine that "
+             "does not race the beam",
+             is_number("--frames", "0..12799 in the demo"));
   add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
              is_number_in("--random", 0, MostRandomClocks))
       .capture_default_str();

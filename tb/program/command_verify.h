@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "tb/program/command.h"
@@ -15,7 +16,10 @@ namespace racebeam {
 struct VerifyOptions : RunOptions {
   VerifyOptions() { scene = "demo"; }
 
-  long long frames = 60;      ///< of the scene, evenly spread; 0: no chip traffic
+  /// Of the scene, evenly spread; 0: no chip traffic; UsualFrames: 60, or 2 whole pictures of an
+  /// engine that does not race the beam.
+  static constexpr long long UsualFrames = std::numeric_limits<long long>::min();
+  long long frames = UsualFrames;
   long long random = 100000;  ///< clocks of random traffic for each unit
   long long seed = 1;
   std::string folder = "racebeam_verify";  ///< for waveforms of differences

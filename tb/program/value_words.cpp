@@ -75,7 +75,8 @@ Words assignments(const Words& names, const std::string& text,
 ValueWords own_rtl(const std::string& text) {
   if (text.find('=') != std::string::npos) return {{}, ValueWords::Files};
   Words words = units();
-  for (const engine* one : engines()) words.emplace_back(one->top);
+  for (const engine* one : engines())
+    if (*one->top) words.emplace_back(one->top);
   return only(words);
 }
 

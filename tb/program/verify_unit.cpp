@@ -38,7 +38,7 @@ std::uint64_t walk_clocks(const std::string& unit) {
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
-  const engine& built = engine_of_unit(dut.unit);
+  const engine& built = engine_of(dut.k);
   const auto model = built.unit(dut.unit)->make("model", dut.k, dut.scene);
   Lockstep lockstep("lockstep", dut.unit, *model, built.parameters(dut.k), dut.plugin);
   lockstep.outlive_faults();

@@ -49,8 +49,10 @@ struct Condition::Parser {
 
   std::function<double(const TracePoint&)> reader(const std::string& name) const {
     const std::string in_beam = name.rfind("beam.", 0) == 0 ? name.substr(5) : name;
-    if (in_beam == "frame") return [](const TracePoint& at) { return at.frame; };
-    if (in_beam == "line") return [](const TracePoint& at) { return at.line; };
+    if (in_beam == (of_pictures(raster) ? "picture" : "frame"))
+      return [](const TracePoint& at) { return at.frame; };
+    if (in_beam == "line")
+      return [this](const TracePoint& at) { return line_of_beam(at.line, raster); };
     if (in_beam == "clock") return [](const TracePoint& at) { return at.clock; };
     if (in_beam == "pixel") return [this](const TracePoint& at) { return at.pixel(raster); };
     if (const ChipSignal* signal = find(name)) return reader(*signal);
@@ -74,7 +76,8 @@ struct Condition::Parser {
 
   // The same name elsewhere, or the one that needs the fewest edits.
   std::string hint(const std::string& name) const {
-    std::vector<std::string> known = {"frame", "line", "pixel", "clock"};
+    std::vector<std::string> known = {of_pictures(raster) ? "picture" : "frame", "line", "pixel",
+                                      "clock"};
     const std::string last = name.substr(name.rfind('.') + 1);
     for (const ChipSignal& signal : signals) {
       const std::string path = signal.path();

@@ -75,8 +75,8 @@ void commit(TraceFiles& files, const LockstepDifference& d, std::uint64_t period
 }
 
 /// Of a clock, in picoseconds.
-int period_of(const LockstepDifference& d, const knob_values& k) {
-  return clock_period_ps(engine_of_unit(d.unit).video(k).clocks_per_pixel);
+int period_of(const knob_values& k) {
+  return clock_period_ps(engine_of(k).video(k).clocks_per_pixel);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& fr
   while (shown.last + 1 < d.history.size() && follows(shown.last + 1)) ++shown.last;
 
   const std::string path = path_of(d, "chip", folder);
-  const int period = period_of(d, k);
+  const int period = period_of(k);
   DifferenceRow row(d);
   VcdWriter vcd;
   SignalTrace trace(
@@ -118,7 +118,7 @@ std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& fr
 std::string save_unit_window(const LockstepDifference& d, const std::string& traffic,
                              const knob_values& k, const std::string& folder) {
   const std::string path = path_of(d, traffic, folder);
-  const auto period = static_cast<std::uint64_t>(period_of(d, k));
+  const auto period = static_cast<std::uint64_t>(period_of(k));
   DifferenceRow row(d);
   VcdWriter vcd;
   const int clk = vcd.add("chip", "clk_i", 1), count = vcd.add("chip", "clock", 64);

@@ -19,8 +19,7 @@ namespace racebeam {
 namespace {
 
 std::string place_of(std::int64_t clock, const Raster& raster) {
-  const TracePoint at = point_at(clock, raster);
-  return fmt::format("frame {}, line {}, clock {}", at.frame, at.line, at.clock);
+  return point_text(point_at(clock, raster), raster);
 }
 
 /// The first differences of the units in lockstep, by the clocks of a run.

@@ -32,7 +32,8 @@ SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& r
       period_(static_cast<std::uint64_t>(period_ps)),
       part_(std::move(part)),
       vcd_(vcd),
-      line_bits_(1 + count_bits(std::max(raster.last_line() + 1, -raster.first_line))),
+      line_bits_(1 + count_bits(std::max(line_of_beam(raster.last_line(), raster) + 1,
+                                         -raster.first_line))),
       frame_bits_(part_ ? FrameBits : ForeignFrameBits) {
   add_beam(!overview);
   const std::size_t virtual_ones = vcd_.names().size();
@@ -55,7 +56,7 @@ SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& r
 }
 
 void SignalTrace::add_beam(bool with_clock) {
-  frame_ = vcd_.add("beam", "frame", frame_bits_);
+  frame_ = vcd_.add("beam", of_pictures(raster_) ? "picture" : "frame", frame_bits_);
   line_ = vcd_.add("beam", "line", line_bits_);
   pixel_ = vcd_.add("beam", "pixel", 11);
   clock_ = vcd_.add("beam", "clock", count_bits(raster_.line_clocks()));
@@ -81,7 +82,7 @@ void SignalTrace::sample(const TracePoint& at) {
   };
   if (clk_ != None) vcd_.change(time, clk_, 1);
   vcd_.change(time, frame_, raw(at.frame, frame_bits_));
-  vcd_.change(time, line_, raw(at.line, line_bits_));
+  vcd_.change(time, line_, raw(line_of_beam(at.line, raster_), line_bits_));
   vcd_.change(time, pixel_, raw(at.pixel(raster_), 11));
   vcd_.change(time, clock_, raw(at.clock, 31));
   if (show_ != None && at.frame != shown_) vcd_.change(time, show_, part_(shown_ = at.frame));

@@ -33,7 +33,7 @@ bool TraceOptions::searches() const { return watches() || !around.empty(); }
 long long TraceOptions::lines_around() const { return lines.value_or(1); }
 
 bool TraceOptions::needs_run() const {
-  return !(from + to + output).empty() || searches() || lines || pre || post ||
+  return !(from + to + output).empty() || searches() || lines || pre || post || pixels ||
          level != LevelSignal || !assignments.empty() || !units.empty();
 }
 
@@ -84,17 +84,25 @@ void TraceOptions::check_search() const {
         "--record says how many lines before the event are kept; leave out --pre and --lines");
   check_range("--lines", lines_around(), 0, FrameLines - 1);
   check_range("--record", record, 0, MostFramesAround * FrameLines);
-  if (!searches() && (from.empty() || to.empty()))
+  if (pixels && (searches() || !to.empty()))
+    throw UsageError("--pixels says how long the window is; leave out --to, --around and --when");
+  if (!searches() && (from.empty() || (to.empty() && !pixels)))
     throw UsageError(
         "the window is missing: say --from FRAME:LINE and --to FRAME:LINE, or --around "
-        "first-starved, or --when 'u_subdivider.sd_q == 4'");
+        "first-starved, or --when 'u_subdivider.sd_q == 4'; of an engine that does not race the "
+        "beam --from PICTURE:CLOCK and --to PICTURE:CLOCK, or --from PICTURE:@X,Y and --pixels");
 }
 
 TraceWindow TraceOptions::searched(const TraceWindowReader& reader) const {
-  const std::string begin = from.empty() ? fmt::format("0:{}", reader.raster().first_line) : from;
-  return reader.window(begin, to.empty() ? begin.substr(0, begin.find(':')) +
-                                               fmt::format(":{}", reader.raster().last_line())
-                                         : to);
+  const std::string begin = from.empty() ? reader.first() : from;
+  return reader.window(begin, to.empty() ? reader.last(begin) : to);
+}
+
+TraceWindow TraceOptions::said(const TraceWindowReader& reader) const {
+  if (!pixels) return reader.window(from, to);
+  if (!of_pictures(reader.raster()))
+    throw UsageError("--pixels is for engines that do not race the beam; give --to");
+  return reader.pixels(from, *pixels);
 }
 
 TraceWindow TraceOptions::around_point(const TracePoint& point, const TraceWindowReader& reader,
@@ -116,11 +124,10 @@ long long TraceOptions::most_clocks(const Raster& raster) const {
                      : (2 * lines_around() + 1) * raster.line_clocks();
 }
 
-UsageError TraceOptions::nothing_found(const TraceWindow& where) const {
-  return UsageError(
-      fmt::format("nothing of {} from {}:{} to {}:{}; search further with --from and --to",
-                  around.empty() ? "--when '" + when + "'" : around, where.from.frame,
-                  where.from.line, where.to.frame, where.to.line));
+UsageError TraceOptions::nothing_found(const TraceWindow& where, const Raster& raster) const {
+  return UsageError(fmt::format("nothing of {} from {} to {}; search further with --from and --to",
+                                around.empty() ? "--when '" + when + "'" : around,
+                                point_option(where.from, raster), point_option(where.to, raster)));
 }
 
 }  // namespace racebeam

@@ -29,6 +29,7 @@ struct TraceOptions : RunOptions, TtOptions {
   std::string around;                  ///< a trigger, or empty
   std::string when;                    ///< a condition, or empty
   std::optional<long long> lines;      ///< before and after it; 1
+  std::optional<long long> pixels;     ///< from --from on, instead of --to
   std::optional<long long> pre, post;  ///< clocks before and after it instead
   long long record = 0;                ///< lines that a flight recorder keeps; 0: none
   std::vector<std::string> scopes;     ///< patterns of paths
@@ -58,7 +59,9 @@ struct TraceOptions : RunOptions, TtOptions {
   /// Clocks before it that this may ask for, and of the whole window.
   long long clocks_before(const Raster& raster) const;
   long long most_clocks(const Raster& raster) const;
-  UsageError nothing_found(const TraceWindow& where) const;
+  UsageError nothing_found(const TraceWindow& where, const Raster& raster) const;
+  /// The one that --from, --to and --pixels say.
+  TraceWindow said(const TraceWindowReader& reader) const;
 
  private:
   void check_files() const;

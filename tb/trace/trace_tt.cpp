@@ -45,7 +45,7 @@ std::optional<TracePoint> find(const TraceOptions& options, const TraceWindow& w
     clock = std::min<std::int64_t>(clock + raster.line_clocks(), last + 1);
     if (!run.go_to(clock)) return {};
   }
-  if (!found) throw options.nothing_found(where);
+  if (!found) throw options.nothing_found(where, raster);
   tell(fmt::format("--when: frame {}, line {}, clock {}", found->frame, found->line, found->clock));
   return found;
 }
@@ -68,7 +68,7 @@ int trace_tt(const TraceOptions& options) {
   writer.check(run);
   TraceWindow window{};
   if (options.when.empty()) {
-    window = reader.window(options.from, options.to);
+    window = options.said(reader);
   } else {
     const std::optional<TracePoint> found = find(options, options.searched(reader), run);
     if (!found) {

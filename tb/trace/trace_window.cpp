@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <vector>
 
 #include "tb/base/errors.h"
@@ -30,6 +31,32 @@ std::vector<int> numbers(const std::string& text) {
 
 }  // namespace
 
+Raster picture_axis(const Raster& raster) {
+  Raster axis = raster;
+  const int most = std::numeric_limits<int>::max() / raster.line_clocks();
+  axis.lines = most - most % raster.lines;
+  return axis;
+}
+
+bool of_pictures(const Raster& raster) { return raster.lines > FrameLines * 100; }
+
+int line_of_beam(int line, const Raster& raster) {
+  return of_pictures(raster) ? FirstLine + (line - FirstLine) % FrameLines : line;
+}
+
+std::string point_text(const TracePoint& at, const Raster& raster) {
+  if (of_pictures(raster))
+    return fmt::format("picture {}, clock {}", at.frame,
+                       at.ordinal(raster) % raster.frame_clocks());
+  return fmt::format("frame {}, line {}, clock {}", at.frame, at.line, at.clock);
+}
+
+std::string point_option(const TracePoint& at, const Raster& raster) {
+  if (of_pictures(raster))
+    return fmt::format("{}:{}", at.frame, at.ordinal(raster) % raster.frame_clocks());
+  return fmt::format("{}:{}", at.frame, at.line);
+}
+
 TracePoint point_at(std::int64_t ordinal, const Raster& raster) {
   const auto frame = ordinal / raster.frame_clocks(), rest = ordinal % raster.frame_clocks();
   return {static_cast<int>(frame),
@@ -37,7 +64,74 @@ TracePoint point_at(std::int64_t ordinal, const Raster& raster) {
           static_cast<int>(rest % raster.line_clocks())};
 }
 
+TracePoint TraceWindowReader::in_picture(int picture, std::int64_t clock) const {
+  return point_at(static_cast<std::int64_t>(picture) * raster_.frame_clocks() + clock, raster_);
+}
+
+const PixelClocks& TraceWindowReader::clocks_of(int picture) const {
+  const auto known = known_.find(picture);
+  return known != known_.end() ? known->second
+                               : known_.emplace(picture, pixels_(picture)).first->second;
+}
+
+TracePoint TraceWindowReader::picture_point(const char* option, const std::string& text,
+                                            bool ends) const {
+  const auto colon = text.find(':');
+  const bool pixel = colon != std::string::npos && text.compare(colon, 2, ":@") == 0;
+  std::string plain = text;
+  if (pixel) {
+    plain.erase(colon + 1, 1);
+    std::replace(plain.begin(), plain.end(), ',', ':');
+  }
+  const std::vector<int> n = numbers(plain);
+  if (n.size() != (pixel ? 3 : 2))
+    throw UsageError(
+        fmt::format("{} '{}' is not of the form PICTURE:CLOCK or PICTURE:@X,Y, such as 0:250000 or "
+                    "0:@200,240",
+                    option, text));
+  const auto check = [&](const char* what, int value, int max) {
+    if (value < 0 || value > max)
+      throw UsageError(
+          fmt::format("{} {}: {} {} is out of range; 0..{}", option, text, what, value, max));
+  };
+  check("picture", n[0], frames_ - 1);
+  if (!pixel) {
+    check("clock", n[1], raster_.frame_clocks() - 1);
+    return in_picture(n[0], n[1]);
+  }
+  const PixelClocks& clocks = clocks_of(n[0]);
+  check("column", n[1], clocks.columns - 1);
+  check("row", n[2], clocks.rows - 1);
+  const std::size_t number = clocks.number(n[1], n[2]);
+  return in_picture(n[0], ends ? clocks.begins[number + 1] - 1 : clocks.begins[number]);
+}
+
+TraceWindow TraceWindowReader::pixels(const std::string& from, long long number) const {
+  if (from.find(":@") == std::string::npos)
+    throw UsageError("--pixels counts from a pixel: write --from PICTURE:@X,Y");
+  const TracePoint begin = point("--from", from, 0);
+  const PixelClocks& clocks = clocks_of(begin.frame);
+  const std::int64_t clock = begin.ordinal(raster_) % raster_.frame_clocks();
+  const auto first = std::lower_bound(clocks.begins.begin(), clocks.begins.end(), clock);
+  if (number < 1 || number > clocks.begins.end() - first - 1)
+    throw UsageError(
+        fmt::format("--pixels {} is out of range; 1..{}", number, clocks.begins.end() - first - 1));
+  return {begin, in_picture(begin.frame, first[number] - 1)};
+}
+
+std::string TraceWindowReader::first() const {
+  return of_pictures(raster_) ? "0:0" : fmt::format("0:{}", raster_.first_line);
+}
+
+std::string TraceWindowReader::last(const std::string& from) const {
+  if (!of_pictures(raster_))
+    return from.substr(0, from.find(':')) + fmt::format(":{}", raster_.last_line());
+  const int picture = point("--from", from, 0).frame;
+  return fmt::format("{}:{}", picture, clocks_of(picture).begins.back() - 1);
+}
+
 TracePoint TraceWindowReader::point(const char* option, const std::string& text, int clock) const {
+  if (of_pictures(raster_)) return picture_point(option, text, clock > 0);
   const std::vector<int> n = numbers(text);
   if (n.size() < 2 || n.size() > 3)
     throw UsageError(
@@ -56,7 +150,7 @@ TracePoint TraceWindowReader::point(const char* option, const std::string& text,
 
 void TraceWindowReader::check(const std::string& from, const std::string& to) const {
   if (!from.empty()) point("--from", from, 0);
-  if (!to.empty()) point("--to", to, 0);
+  if (!to.empty()) point("--to", to, raster_.line_clocks() - 1);
 }
 
 TraceWindow TraceWindowReader::window(const std::string& from, const std::string& to) const {

@@ -5,13 +5,25 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "tb/bench/pixel_clocks.h"
 #include "tb/monitor/raster.h"
 #include "tb/wave/selection.h"
 
 namespace racebeam {
+
+/// The time of an engine whose pictures take as many clocks as they take: a frame is a picture, and
+/// its lines go on over the frames of the raster.
+Raster picture_axis(const Raster& raster);
+/// Whether `raster` is such an axis.
+bool of_pictures(const Raster& raster);
+/// A line of the raster, of a line of an axis.
+int line_of_beam(int line, const Raster& raster);
 
 /// A clock of a frame.
 struct TracePoint {
@@ -30,6 +42,10 @@ struct TracePoint {
 
 /// The clock with this ordinal.
 TracePoint point_at(std::int64_t ordinal, const Raster& raster);
+/// "frame 7, line -3, clock 400"; "picture 7, clock 250000".
+std::string point_text(const TracePoint& at, const Raster& raster);
+/// The same as `--from` takes it, of a line: "7:-3"; "7:250000".
+std::string point_option(const TracePoint& at, const Raster& raster);
 
 /// Both ends are in it.
 struct TraceWindow {
@@ -38,16 +54,27 @@ struct TraceWindow {
   std::optional<DifferingPort> differs{};  ///< and what that is
 };
 
-/// A show of `frames` frames on a raster.
+/// A show of `frames` frames on a raster, or of pictures on their axis.
 class TraceWindowReader {
  public:
-  TraceWindowReader(int frames, const Raster& raster) : frames_(frames), raster_(raster) {}
+  using Pixels = std::function<PixelClocks(int picture)>;
+
+  /// `pixels`: of pictures only.
+  TraceWindowReader(int frames, const Raster& raster, Pixels pixels = {})
+      : frames_(frames), raster_(raster), pixels_(std::move(pixels)) {}
 
   const Raster& raster() const { return raster_; }
 
   /// "60:-240:800", as FRAME:LINE or FRAME:LINE:CLOCK. Without a clock `from` begins, and `to`
-  /// ends, with the line. Throws UsageError: no such form, out of range, `to` before `from`.
+  /// ends, with the line. Of pictures "3:250000" or "3:@200,240", as PICTURE:CLOCK or PICTURE:@X,Y:
+  /// the clock in which that pixel begins, or with `to` ends. Throws UsageError: no such form, out
+  /// of range, `to` before `from`.
   TraceWindow window(const std::string& from, const std::string& to) const;
+  /// Of pictures: `number` pixels from `from`, "3:@200,240", on. Throws UsageError.
+  TraceWindow pixels(const std::string& from, long long number) const;
+  /// Where a search begins, and ends, if nobody says; `from` as it was written.
+  std::string first() const;
+  std::string last(const std::string& from) const;
 
   /// Throws UsageError as window() does for an end that is given; an empty one is not.
   void check(const std::string& from, const std::string& to) const;
@@ -59,9 +86,14 @@ class TraceWindowReader {
 
  private:
   TracePoint point(const char* option, const std::string& text, int clock) const;
+  TracePoint picture_point(const char* option, const std::string& text, bool ends) const;
+  TracePoint in_picture(int picture, std::int64_t clock) const;
+  const PixelClocks& clocks_of(int picture) const;
 
   const int frames_;
   const Raster& raster_;
+  const Pixels pixels_;
+  mutable std::map<int, PixelClocks> known_;  // pictures that were drawn for their pixels
 };
 
 }  // namespace racebeam

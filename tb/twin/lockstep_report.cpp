@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sc/base/constants.h"
 #include "tb/base/console.h"
 #include "tb/twin/lockstep_text.h"
@@ -19,9 +21,12 @@ constexpr int FirstColumn = -320;  // of the visible pixels
 BeamPlace place_of(std::uint64_t clock, const std::vector<int>& frames, const Raster& raster) {
   if (clock == 0 || frames.empty()) return {frames.empty() ? 0 : frames.front(), FirstLine, -1};
   const std::uint64_t running = clock - 1;
-  const std::size_t index = running / raster.frame_clocks();
-  const int rest = static_cast<int>(running % raster.frame_clocks());
-  return {frames.at(index), FirstLine + rest / raster.line_clocks(), rest % raster.line_clocks()};
+  const std::size_t index =
+      std::min<std::size_t>(running / raster.frame_clocks(), frames.size() - 1);
+  std::size_t first = index;  // of its picture
+  while (first > 0 && frames[first - 1] == frames[index]) --first;
+  const auto rest = static_cast<int>(running - first * raster.frame_clocks());
+  return {frames[index], FirstLine + rest / raster.line_clocks(), rest % raster.line_clocks()};
 }
 
 std::string place_text(const BeamPlace& place, const Raster& raster) {
@@ -34,10 +39,15 @@ std::string place_text(const BeamPlace& place, const Raster& raster) {
   return text;
 }
 
-std::string trace_command(const std::string& scene, int frame, const std::string& unit,
-                          const std::string& rest) {
-  return fmt::format("racebeam trace {} --from {}:{}{} --around mismatch -o {}_mismatch.vcd", scene,
-                     frame, FirstLine, rest, unit);
+std::string picture_text(const BeamPlace& place, const Raster& raster) {
+  return fmt::format("picture {}, clock {}", place.frame,
+                     (place.line - FirstLine) * raster.line_clocks() + place.clock);
+}
+
+std::string trace_command(const std::string& scene, const std::string& from,
+                          const std::string& unit, const std::string& rest) {
+  return fmt::format("racebeam trace {} --from {}{} --around mismatch -o {}_mismatch.vcd", scene,
+                     from, rest, unit);
 }
 
 std::string explain(const LockstepDifference& d, const DifferenceContext& context) {

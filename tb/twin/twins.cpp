@@ -7,7 +7,9 @@
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knob_parameters.h"
+#include "sc/sphere/engine.h"
 #include "tb/twin/beam_twins.h"
+#include "tb/twin/sphere_twins.h"
 
 namespace racebeam {
 
@@ -24,10 +26,25 @@ Twins beam() {
           }};
 }
 
+const sphere_tables& tables_of(const scene_tables* scene) {
+  static const sphere_tables built_in;
+  return scene ? *static_cast<const sphere_tables*>(scene) : built_in;
+}
+
+Twins sphere() {
+  return {sphere_engine(),
+          [](const knob_values& k, const scene_tables* scene, bool traced) {
+            return sphere_plugins(k, tables_of(scene), traced);
+          },
+          [](const knob_values& k) { return sphere_inputs_of(k); },
+          // It has the pins of a memory that the chip has inside.
+          [](const knob_values&, const scene_tables*) { return false; }};
+}
+
 }  // namespace
 
 const std::vector<Twins>& twins() {
-  static const std::vector<Twins> table = {beam()};
+  static const std::vector<Twins> table = {beam(), sphere()};
   return table;
 }
 
