@@ -11,8 +11,7 @@
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/output_file.h"
-#include "tb/explain/explain_json.h"
-#include "tb/explain/explain_text.h"
+#include "tb/explain/explainers.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/program/common_options.h"
@@ -43,26 +42,33 @@ Pixel pixel_of(const std::string& text) {
   if (!column || !row)
     throw UsageError(
         fmt::format("--pixel '{}' is not of the form X,Y, as in --pixel 320,240", text));
-  if (*column < 0 || *column >= VisibleColumns || *row < 0 || *row >= VisibleRows)
-    throw UsageError(fmt::format("--pixel {},{} is outside the picture; X is 0..{}, Y is 0..{}",
-                                 *column, *row, VisibleColumns - 1, VisibleRows - 1));
   return {*column, *row};
+}
+
+void expect_inside(const Pixel& pixel, const Explainer::Size& size) {
+  if (pixel.column < 0 || pixel.column >= size.columns || pixel.row < 0 || pixel.row >= size.rows)
+    throw UsageError(fmt::format("--pixel {},{} is outside the picture; X is 0..{}, Y is 0..{}",
+                                 pixel.column, pixel.row, size.columns - 1, size.rows - 1));
 }
 
 /// What is asked about.
 struct Subject : Run {
   int frame;
   Pixel pixel;
+  const Explainer& explainer;
 };
 
 Subject subject_of(const ExplainOptions& options) {
   const Pixel pixel = pixel_of(options.pixel);
   Run run = open_run(options);
-  expect_rooms(run.show, "explain");
+  const Explainer* const explainer = explainer_of(run.show.engine());
+  if (!explainer)
+    throw UsageError(fmt::format("there is no explain for {} yet", run.show.engine().name));
   const int last = run.show.frames() - 1;
   if (options.frame < 0 || options.frame > last)
     throw UsageError(fmt::format("--frame {} is out of range; 0..{}", options.frame, last));
-  return {std::move(run), static_cast<int>(options.frame), pixel};
+  expect_inside(pixel, explainer->size(run, static_cast<int>(options.frame)));
+  return {std::move(run), static_cast<int>(options.frame), pixel, *explainer};
 }
 
 int explain_pixel(const ExplainOptions& options) {
@@ -77,8 +83,8 @@ int explain_pixel(const ExplainOptions& options) {
                     missing));
   const Subject s = subject_of(options);
   const std::string repeat = options.scene + options.set_text();
-  const Explanation e(s.show, s.k, s.frame, s.pixel.column, s.pixel.row);
-  print(options.json ? explain_json(e, s.k, repeat) : explain_text(e, repeat));
+  const auto explain = options.json ? s.explainer.json : s.explainer.text;
+  print(explain(s, {s.frame, s.pixel.column, s.pixel.row}, repeat));
   return ExitGood;
 }
 
@@ -91,6 +97,7 @@ int draw_figure(ExplainOptions options) {
   if (options.frame == options.NoFrame) options.frame = 700;
   if (options.pixel.empty()) options.pixel = "185,100";
   const Subject s = subject_of(options);
+  expect_rooms(s.show, "--figure");
   if (s.pixel.column == 0)
     throw UsageError("no ray is shown in column 0, which is the FIFO's; X is 1..639 for a figure");
   write_text(options.output, wanted.draw({s.show, s.k, s.frame, s.pixel.row + FirstVisibleLine,
@@ -116,10 +123,11 @@ namespace {
 
 void add_options(const CommandOptions& command, ExplainOptions& options) {
   command.add_option("scene", options.scene, "demo, or a scene file").type_name("SCENE");
-  add_number(command, "--frame", options.frame, "Frame of the scene, from 0",
+  add_number(command, "--frame", options.frame, "Frame or picture of the scene, from 0",
              is_number("--frame", FirstRange));
   command
-      .add_option("--pixel", options.pixel, "Pixel of the picture: 0..639,0..479 from the top left")
+      .add_option("--pixel", options.pixel,
+                  "Pixel of the picture, from the top left: up to 639,479")
       .type_name("X,Y");
   add_run_options(command, options);
   command.add_flag("--json", options.json, "JSON on stdout instead of the text");

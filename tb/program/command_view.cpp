@@ -17,8 +17,7 @@
 #include "tb/program/view_setting.h"
 #include "tb/program/view_tt.h"
 #include "tb/show/open_show.h"
-#include "tb/view/beam_signal_source.h"
-#include "tb/view/beam_tlm_source.h"
+#include "tb/view/sources.h"
 
 namespace racebeam {
 
@@ -26,15 +25,10 @@ namespace {
 
 constexpr const char* BuiltIn = "demo";
 
-Stage tlm_stage(const Show& show, const knobs& k) {
-  const SceneFile* scene = show.scene();
-  const bool wraps = !scene || scene->wrap || scene->overlap;
-  return {show, std::make_unique<TlmSource>(k, show.program(), wraps)};
-}
-
-Stage signal_stage(Run run, const std::vector<std::string>& units) {
+Stage stage_of(Run run, const std::vector<std::string>& units) {
+  const SourceKind& kind = source_of(run.show.engine(), run.level);
   use_units(run, units);
-  return {run.show, std::make_unique<SignalSource>(run.k, run.show.program(), run.units)};
+  return {run.show, kind.make(run)};
 }
 
 /// SystemC wires a chip once in a process: another scene needs another process.
@@ -96,20 +90,20 @@ int command_view(const ViewOptions& options) {
   refuse_tt_options(options);
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam view --help` shows what it takes");
-  const std::vector<std::string> keys = keys_to_press(options, false);
   const Run run = open_run(options);
-  expect_rooms(run.show, "view");
+  const bool rooms = run.show.of_rooms();
+  const std::vector<std::string> keys =
+      keys_to_press(options, source_of(run.show.engine(), run.level).keys);
   Viewer::Options setting = viewer_options(options, run.show.frames());
-  if (options.scene != BuiltIn) setting.scene_file = scene_path(options.scene);
+  if (rooms && options.scene != BuiltIn) setting.scene_file = scene_path(options.scene);
   setting.demo_file = demo_file;
   setting.explain = explain_of(options);
-  const bool tlm = run.level == LevelTlm;
   setting.restage = [&](const Show& changed) {
-    const knobs k = knobs_of(changed, options.assignments);  // or the old scene goes on
-    if (!tlm) throw StartAgain{};
-    return tlm_stage(changed, k);
+    Run again{changed, run.level, knobs_of(changed, options.assignments)};  // or the old goes on
+    if (run.level != LevelTlm) throw StartAgain{};
+    return stage_of(std::move(again), {});
   };
-  Stage stage = tlm ? tlm_stage(run.show, run.k) : signal_stage(run, options.units);
+  Stage stage = stage_of(run, options.units);
   auto screen = open_screen(options);
   Viewer viewer(std::move(stage), setting);
   viewer.control.state.paused = options.paused;

@@ -30,13 +30,14 @@ std::vector<std::string> words_of(const std::string& text) {
 }  // namespace
 
 // Names of keys that do nothing are mistakes in a script.
-std::vector<std::string> keys_to_press(const ViewOptions& options, bool tile) {
+std::vector<std::string> keys_to_press(const ViewOptions& options, KeyHelp::Chip chip) {
   const std::vector<std::string> keys = words_of(options.keys);
   std::vector<std::string> known;
-  for (const KeyHelp& row : ViewControl::help(tile))
+  for (const KeyHelp& row : ViewControl::help(chip))
     for (const std::string& key : words_of(row.keys)) known.push_back(key);
   ViewControl control;
-  if (tile) control.state.inputs.emplace();
+  if (chip == KeyHelp::Tile) control.state.inputs.emplace();
+  if (chip == KeyHelp::Board) control.state.board.emplace();
   for (const std::string& key : keys)
     if (!control.press(key)) throw unknown_name("key", key, known);
   return keys;

@@ -13,8 +13,8 @@
 
 namespace racebeam {
 
-/// The keys of --keys; `tile`: for a chip of its own. Throws UsageError for one that does nothing.
-std::vector<std::string> keys_to_press(const ViewOptions& options, bool tile);
+/// The keys of --keys, for such a chip. Throws UsageError for one that does nothing.
+std::vector<std::string> keys_to_press(const ViewOptions& options, KeyHelp::Chip chip);
 
 /// For a show of so many frames. Throws UsageError.
 Viewer::Options viewer_options(const ViewOptions& options, int frames);

@@ -40,7 +40,7 @@ int sound_pin_of(const ViewOptions& options) {
 
 int view_tt(const ViewOptions& options) {
   refuse_scene_options(options);
-  const std::vector<std::string> keys = keys_to_press(options, true);
+  const std::vector<std::string> keys = keys_to_press(options, KeyHelp::Tile);
   const Viewer::Options setting = viewer_options(options, MostTtFrames);
   const int sound_pin = sound_pin_of(options);
   const TtInputs inputs = tt_inputs(options);

@@ -14,9 +14,11 @@
 #include <vector>
 
 #include "sc/base/fixed_point.h"
+#include "tb/base/packed_picture.h"
 #include "tb/bench/frame_watch.h"
 #include "tb/bench/interval_event.h"
 #include "tb/tt/tt_inputs.h"
+#include "tb/view/board_pins.h"
 
 namespace racebeam {
 
@@ -49,6 +51,8 @@ class FrameSource {
   virtual const FrameWatch& watch() const = 0;
   /// Clocks a second of the chip itself.
   virtual double clock_hz() const;
+  /// The picture on show, if it has more colours than watch() knows; of the raster's size.
+  virtual const PackedPicture* picture() const { return nullptr; }
   /// Names and values for the statistics; an empty pair is an empty line.
   using Rows = std::vector<std::pair<std::string, std::string>>;
   virtual Rows rows() const { return {}; }
@@ -74,6 +78,12 @@ class FrameSource {
   virtual std::string inputs_text() const { return ""; }
   /// They are others from the next clock on.
   virtual void press(TilePins) {}
+  /// The board, if the chip is on one.
+  virtual std::optional<BoardPins> board() const { return {}; }
+  /// It is like this from the next picture on.
+  virtual void press(BoardPins) {}
+  /// The scene alone says what is on show: nobody has touched the board.
+  virtual bool as_in_scene() const { return true; }
   /// What a frame sounds like if it is to be heard without being run, at SoundRate.
   virtual std::vector<float> play(int /*frame*/) { return {}; }
   /// What the source played since the last call, at SoundRate.

@@ -80,6 +80,15 @@ const std::vector<KeyHelp>& all_help() {
       {"4 5 6 7", "ui_in[4] to ui_in[7]: 1, 0", KeyHelp::Tile},
       {"u", "the numbers are uio_in, ui_in", KeyHelp::Tile},
       {"w", "write the inputs so far to a file", KeyHelp::Tile},
+      {"0 1 2 3 4", "SW0 4x, SW1 8x, SW2 SW3 reflections, SW4 scene", KeyHelp::Board},
+      {"5", "SW5: 512 x 480", KeyHelp::Board},
+      {"6 7 8 9", "SW6 -z, SW7 +z, SW8 -y, SW9 +y of the eye", KeyHelp::Board},
+      {"u", "0 to 7 are SW10 to SW17, or SW0 to SW9 again:", KeyHelp::Board},
+      {"u 0 1", "SW10 -x, SW11 +x of the eye", KeyHelp::Board},
+      {"u 2 3 4", "SW12 -z, SW13 +z, SW14 -y of the light", KeyHelp::Board},
+      {"u 5 6 7", "SW15 +y, SW16 -x, SW17 +x of the light", KeyHelp::Board},
+      {"a d", "KEY0 wider, KEY1 narrower, for a picture", KeyHelp::Board},
+      {"s w", "KEY2 held, let go: planes; KEY3: reset", KeyHelp::Board},
       {"b", "beam position"},
       {"i", "borders of intervals; a click: what explains a pixel", KeyHelp::Model},
       {"g", "gauges of FIFO and stacks", KeyHelp::Model},
@@ -114,12 +123,36 @@ bool flight_key(const std::string& key) {
 
 }  // namespace
 
-// What a chip of its own makes of a key.
-bool ViewControl::tile_key(const std::string& key) {
-  const auto has = [&](bool tile) {
-    return std::any_of(help(tile).begin(), help(tile).end(),
+// One of the model, which the chip on show has not.
+bool ViewControl::key_of_model(const std::string& key) {
+  const auto has = [&](KeyHelp::Chip chip) {
+    return std::any_of(help(chip).begin(), help(chip).end(),
                        [&](const KeyHelp& row) { return has_key(row, key); });
   };
+  if (!has(KeyHelp::Model) || has(chip_of(state))) return false;
+  actions_.push(ViewAction::ModelOnly);
+  return true;
+}
+
+// What a board makes of a key. Those of KEY0, KEY1 and KEY3 come up by themselves.
+bool ViewControl::board_key(const std::string& key) {
+  static const std::map<std::string, int> keys{{"a", 0}, {"d", 1}, {"s", 2}, {"w", 3}};
+  constexpr int Switches = 18, FirstHigh = 10;
+  if (key.size() == 1 && key[0] >= '0' && key[0] <= '9') {
+    const int number = key[0] - '0' + (state.high_switches ? FirstHigh : 0);
+    if (number < Switches) state.board->switches ^= 1 << number;
+  } else if (key == "u") {
+    state.high_switches = !state.high_switches;
+  } else if (const auto known = keys.find(key); known != keys.end()) {
+    state.board->keys ^= 1 << known->second;
+  } else {
+    return key_of_model(key);
+  }
+  return true;
+}
+
+// What a chip of its own makes of a key.
+bool ViewControl::tile_key(const std::string& key) {
   if (key.size() == 1 && key[0] >= '0' && key[0] <= '7') {
     std::uint8_t& pins = state.uio_keys ? state.inputs->uio : state.inputs->ui;
     pins = static_cast<std::uint8_t>(pins ^ 1 << (key[0] - '0'));
@@ -127,16 +160,15 @@ bool ViewControl::tile_key(const std::string& key) {
     state.uio_keys = !state.uio_keys;
   } else if (key == "w") {
     actions_.push(ViewAction::WriteInputs);
-  } else if (has(false) && !has(true)) {
-    actions_.push(ViewAction::ModelOnly);
   } else {
-    return false;
+    return key_of_model(key);
   }
   return true;
 }
 
 bool ViewControl::press(const std::string& key) {
   if (state.inputs && tile_key(key)) return true;
+  if (state.board && board_key(key)) return true;
   if (flight_key(key)) held_.insert(key);
   if (state.flying && flight_key(key)) {
     tapped_.insert(key);
@@ -197,15 +229,16 @@ bool ViewControl::steered() const {
 
 ViewControl::Look ViewControl::take_mouse() { return std::exchange(mouse_, {}); }
 
-const std::vector<KeyHelp>& ViewControl::help(bool tile) {
+const std::vector<KeyHelp>& ViewControl::help(KeyHelp::Chip chip) {
   const auto rows_of = [](KeyHelp::Chip chip) {
     std::vector<KeyHelp> rows;
     for (const KeyHelp& row : all_help())
       if (row.chip == KeyHelp::Any || row.chip == chip) rows.push_back(row);
     return rows;
   };
-  static const std::vector<KeyHelp> model = rows_of(KeyHelp::Model), own = rows_of(KeyHelp::Tile);
-  return tile ? own : model;
+  static const std::vector<KeyHelp> model = rows_of(KeyHelp::Model), own = rows_of(KeyHelp::Tile),
+                                    board = rows_of(KeyHelp::Board);
+  return chip == KeyHelp::Tile ? own : chip == KeyHelp::Board ? board : model;
 }
 
 }  // namespace racebeam

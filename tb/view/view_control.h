@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tb/tt/tt_inputs.h"
+#include "tb/view/board_pins.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -47,13 +48,16 @@ struct ViewState {
   /// Input pins that keys toggle, of a chip of its own; of the model nothing.
   std::optional<TilePins> inputs;
   bool uio_keys = false;  ///< they toggle uio_in instead of ui_in
+  /// Switches and keys of the board, of a chip on one.
+  std::optional<BoardPins> board;
+  bool high_switches = false;  ///< the numbers are SW10 to SW17
 };
 
 /// One row of the help.
 struct KeyHelp {
-  enum Chip { Any, Model, Tile };
+  enum Chip { Any, Model, Tile, Board };
   std::string keys, meaning;
-  Chip chip = Any;  ///< that has the keys: a Tile is a chip of its own
+  Chip chip = Any;  ///< that has the keys: a Tile is a chip of its own, a Board has switches
 };
 
 class ViewControl {
@@ -96,13 +100,20 @@ class ViewControl {
 
   ViewState state;
 
-  /// Every key, as press() knows them: a test holds that. `tile`: of a chip of its own.
-  static const std::vector<KeyHelp>& help(bool tile = false);
+  /// Every key of a chip, as press() knows them: a test holds that.
+  static const std::vector<KeyHelp>& help(KeyHelp::Chip chip = KeyHelp::Model);
+  /// Of the chip that is on show.
+  const std::vector<KeyHelp>& help_on_show() const { return help(chip_of(state)); }
+  static KeyHelp::Chip chip_of(const ViewState& state) {
+    return state.inputs ? KeyHelp::Tile : state.board ? KeyHelp::Board : KeyHelp::Model;
+  }
 
  private:
   int held(const char* key) const { return held_.count(key) + tapped_.count(key) > 0 ? 1 : 0; }
   Motion motion() const;
   bool tile_key(const std::string& key);
+  bool board_key(const std::string& key);
+  bool key_of_model(const std::string& key);
 
   std::queue<ViewAction> actions_;
   std::set<std::string> held_, tapped_;  // tapped: since the last take_motion()

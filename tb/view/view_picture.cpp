@@ -36,9 +36,8 @@ void paint_beam(RgbImage& picture, const FrameWatch& watch) {
   picture.fill(column - 5, row - 1, 11, 3, Beam);
 }
 
-void paint_help(RgbImage& picture, bool tile) {
+void paint_help(RgbImage& picture, const std::vector<KeyHelp>& rows) {
   constexpr int Left = 110, Margin = 14, KeyLetters = 12, RowHeight = 15;
-  const auto& rows = ViewControl::help(tile);
   const int height = 2 * Margin + RowHeight * static_cast<int>(rows.size());
   const int top = (VisibleRows - height) / 2;
   picture.tint(Left, top, VisibleColumns - 2 * Left, height, Shade, 0.88);
@@ -98,6 +97,11 @@ RgbImage view_picture(const FrameSource& source, const ViewState& state, const V
   const int columns = watch.raster().columns, rows = watch.raster().rows;
   RgbImage picture(watch.screen().colours(), columns, rows, columns + (panel ? PanelWidth : 0),
                    rows + (state.map ? MapBarHeight : 0));
+  if (const PackedPicture* const deep = source.picture())
+    for (int y = 0; y < deep->height; ++y)
+      for (int x = 0; x < deep->width; ++x)
+        picture.dot(
+            x, y, rgb_of(deep->colour(static_cast<std::size_t>(y) * deep->width + x), deep->bits));
   if (state.map) {
     paint_map(picture, make_map(*state.map, source.intervals(), watch.raster()), !watch.whole());
     paint_bar(picture, VisibleRows, *state.map, words.where);
@@ -105,7 +109,7 @@ RgbImage view_picture(const FrameSource& source, const ViewState& state, const V
   if (state.borders) paint_borders(picture, source.intervals());
   if (state.beam) paint_beam(picture, watch);
   if (panel) paint_panel(picture, source, state, words.statistics);
-  if (state.help) paint_help(picture, state.inputs.has_value());
+  if (state.help) paint_help(picture, ViewControl::help(ViewControl::chip_of(state)));
   if (!words.error.empty()) paint_error(picture, words.error);
   return picture;
 }

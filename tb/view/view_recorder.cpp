@@ -38,10 +38,10 @@ std::string ViewRecorder::inputs(const std::string& text, int frame) const {
   return name;
 }
 
-void ViewRecorder::start(int frame, int columns, int rows, double frames_per_second) {
+void ViewRecorder::start(int frame, int columns, int rows, double frames_per_second, int bits) {
   gif_name_ = free_name(frame, ".gif");
   empty_ = true;
-  gif_ = std::make_unique<GifWriter>(gif_name_, columns, rows, frames_per_second);
+  gif_ = std::make_unique<GifWriter>(gif_name_, columns, rows, frames_per_second, 1, bits);
 }
 
 void ViewRecorder::add(const std::vector<std::uint8_t>& colours, int after) {

@@ -27,8 +27,8 @@ class ViewRecorder {
 
   bool recording() const { return gif_ != nullptr; }
   /// Begins view_0060.gif, which has the chip's own pictures, without overlays, and plays at the
-  /// speed of the show. Throws OutputError.
-  void start(int frame, int columns, int rows, double frames_per_second);
+  /// speed of the show; `bits` a channel. Throws OutputError.
+  void start(int frame, int columns, int rows, double frames_per_second, int bits = 2);
   const std::string& gif_name() const { return gif_name_; }
   /// A whole frame, if it is recording, so many frames of the show after the one before. Throws
   /// OutputError.

@@ -30,12 +30,16 @@ Viewer::Viewer(Stage stage, Options options)
   go_to(options_.first);
   control.state.beam = !stage_.source->fast();
   control.state.inputs = stage_.source->inputs();
+  control.state.board = stage_.source->board();
 }
 
 // What the keys made of the inputs. While a frame is filled they wait: it has its own.
 void Viewer::press_inputs() {
-  if (fill_ || control.state.inputs == stage_.source->inputs()) return;
-  stage_.source->press(*control.state.inputs);
+  if (fill_) return;
+  FrameSource& source = *stage_.source;
+  if (control.state.inputs != source.inputs()) source.press(*control.state.inputs);
+  else if (control.state.board != source.board()) source.press(*control.state.board);
+  else return;
   changed_ = true;
 }
 
@@ -68,8 +72,14 @@ int Viewer::clocks(int count) {
   ++frames_shown_;
   if (since_frame_ > 1e-3) rate_ += (1 / since_frame_ - rate_) * (rate_ > 0 ? 0.1 : 1);
   since_frame_ = 0;
-  recorder_.add(source.watch().screen().colours(), std::exchange(passed_, 1));
+  recorder_.add(colours(), std::exchange(passed_, 1));
   return done;
+}
+
+// Of the picture on show.
+const std::vector<std::uint8_t>& Viewer::colours() const {
+  const PackedPicture* const deep = stage_.source->picture();
+  return deep ? deep->colours : stage_.source->watch().screen().colours();
 }
 
 void Viewer::finish_frame() {
@@ -127,9 +137,11 @@ void Viewer::act(ViewAction action) {
 void Viewer::toggle_recording() {
   const FrameWatch& watch = stage_.source->watch();
   if (recorder_.recording()) return say_and_tell(recorder_.stop());
-  recorder_.start(watch.frame(), watch.raster().columns, watch.raster().rows, frame_rate());
+  const PackedPicture* const deep = stage_.source->picture();
+  recorder_.start(watch.frame(), watch.raster().columns, watch.raster().rows, frame_rate(),
+                  deep ? deep->bits : 2);
   say("recording " + recorder_.gif_name() + "; v: stop");
-  if (watch.whole()) recorder_.add(watch.screen().colours(), 1);
+  if (watch.whole()) recorder_.add(colours(), 1);
 }
 
 std::string Viewer::end() { return recorder_.recording() ? recorder_.stop() : ""; }
@@ -230,7 +242,9 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   const bool news = filled || acted;  // a new picture is seen before it runs on
   if (!news && !control.state.paused && !finished()) run(elapsed, in_time);
   if (!news && control.state.paused && flight_ && control.steered()) fly_while_paused(elapsed);
-  if (!fill_) control.state.inputs = stage_.source->inputs();
+  if (fill_) return;
+  control.state.inputs = stage_.source->inputs();
+  control.state.board = stage_.source->board();
 }
 
 std::vector<float> Viewer::take_sound() {

@@ -101,6 +101,7 @@ class Viewer {
   void show_frames(int frames);
   void play_frames(int frames);
   double frame_rate() const;
+  const std::vector<std::uint8_t>& colours() const;
   bool audible() const;
   int clocks(int count);
   void finish_frame();

@@ -116,7 +116,7 @@ RgbImage Viewer::bare_picture() const {
 std::vector<std::string> Viewer::words() const {
   std::string text = error_.empty() ? "" : error_ + "\n";
   if (control.state.help)
-    for (const KeyHelp& row : ViewControl::help(control.state.inputs.has_value()))
+    for (const KeyHelp& row : control.help_on_show())
       text += fmt::format("{:<12}{}\n", row.keys, row.meaning);
   if (control.state.text || control.state.gauges) text += statistics();
   std::istringstream in(text);
@@ -139,6 +139,8 @@ void Viewer::explain() {
   const auto [column, row] = control.clicked();
   const FrameWatch& watch = stage_.source->watch();
   if (options_.explain.empty()) return say("no pixel of this chip can be explained");
+  if (!stage_.source->as_in_scene())
+    return say("the board was touched: the scene alone does not say what this picture is");
   if (flight_) return say("a free flight cannot be explained; f: back to the path");
   if (!drawn({column, row}))
     return say(fmt::format("pixel {},{}: the beam has not come there yet", column, row));
@@ -161,6 +163,7 @@ std::string Viewer::title() const {
   if (const auto& in = control.state.inputs)
     title += fmt::format("ui {:08b} uio {:08b}{}", in->ui, in->uio,
                          control.state.uio_keys ? " - keys: uio" : "");
+  if (control.state.high_switches) title += " - numbers: SW10 to SW17";
   if (flight_) title += " - free flight";
   if (control.state.paused) title += " - paused";
   if (recorder_.recording()) title += " - recording";

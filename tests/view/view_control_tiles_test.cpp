@@ -32,7 +32,7 @@ TEST_F(TileKeys, ANumberTogglesItsInput) {
 
 TEST_F(TileKeys, EveryKeyOfTheModelAloneIsToldToBeOne) {
   int keys = 0;
-  for (const KeyHelp& row : ViewControl::help(false)) {
+  for (const KeyHelp& row : ViewControl::help()) {
     std::istringstream words(row.keys);
     for (std::string key; words >> key;) {
       const bool number = key.size() == 1 && key[0] >= '0' && key[0] <= '7';
@@ -49,7 +49,7 @@ TEST_F(TileKeys, EveryKeyOfTheModelAloneIsToldToBeOne) {
 
 TEST_F(TileKeys, EveryKeyOfItsHelpDoesSomethingAndThePagesListIt) {
   const std::string pages = page("docs/look-inside.md") + page("docs/tiny-tapeout.md");
-  for (const KeyHelp& row : ViewControl::help(true)) {
+  for (const KeyHelp& row : ViewControl::help(KeyHelp::Tile)) {
     EXPECT_NE(row.chip, KeyHelp::Model) << row.meaning;
     std::istringstream words(row.keys);
     std::string line = "|";
