@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/sweep/columns.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "sc/base/constants.h"
 #include "sc/beam/frame_stats.h"
 #include "tb/base/spread.h"
+#include "tb/sweep/database.h"
 #include "tb/sweep/row_digest.h"
 
 namespace racebeam {
@@ -92,6 +94,30 @@ std::vector<std::int64_t> column_values(const engine& built, const frame_counts&
   values.push_back(errors.visible_error_pixels);
   values.push_back(picture_digest({reinterpret_cast<const char*>(colours.data()), colours.size()}));
   return values;
+}
+
+NoValues::NoValues(const std::vector<std::string>& columns)
+    : columns_(columns), sums_(columns.size()) {
+  const auto place = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                    columns.begin());
+  };
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::size_t dot = columns[i].rfind('.');
+    if (dot == std::string::npos) continue;
+    const std::string name = columns[i].substr(0, dot), part = columns[i].substr(dot);
+    const Sum sum{place(name + ".sum"), place(name + ".never")};
+    if ((part == ".p99" || part == ".max") && sum.column < columns.size() &&
+        sum.never < columns.size())
+      sums_[i] = sum;
+  }
+}
+
+std::string NoValues::is_some(std::size_t column, const std::string& row) const {
+  const Sum& sum = sums_[column];
+  if (sum.never == 0) return "";
+  return "(" + row + "." + quoted(columns_[sum.never]) + " = 0 OR " + row + "." +
+         quoted(columns_[sum.column]) + " > 0)";
 }
 
 }  // namespace racebeam

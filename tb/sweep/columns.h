@@ -28,4 +28,25 @@ std::vector<std::int64_t> column_values(const engine& built, const frame_counts&
                                         const FrameErrors& errors,
                                         const std::vector<std::uint8_t>& colours);
 
+/// Which values of a frame are none: NAME.p99 and NAME.max of a number that no line had. A row has
+/// 0 there; render says null.
+class NoValues {
+ public:
+  explicit NoValues(const std::vector<std::string>& columns);
+
+  bool is_none(std::size_t column, const std::vector<std::int64_t>& values) const {
+    const Sum& sum = sums_[column];
+    return sum.never != 0 && values[sum.never] > 0 && values[sum.column] == 0;
+  }
+  /// The same in SQL, of a row `row`; "": it always is one.
+  std::string is_some(std::size_t column, const std::string& row) const;
+
+ private:
+  struct Sum {
+    std::size_t column = 0, never = 0;  // never is 0: not such a column
+  };
+  const std::vector<std::string> columns_;
+  std::vector<Sum> sums_;
+};
+
 }  // namespace racebeam

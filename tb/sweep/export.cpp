@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/sweep/columns.h"
 #include "tb/sweep/row_digest.h"
 #include "tb/sweep/sweep_changes.h"
 
@@ -67,10 +68,13 @@ void export_points(Store& store, std::int64_t model, OutputFile& out) {
   std::string head = "point,scene", means;
   for (const std::string& name : settings) head += ',' + csv_cell(name);
   head += ",sample_frames,guard_frames";
-  for (const std::string& name : columns) {
-    if (name == PictureColumn) continue;
-    head += ',' + csv_cell(name);
-    means += fmt::format(", avg(f.{}) FILTER (WHERE f.kind = 'sample')", quoted(name));
+  const NoValues none(columns);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i] == PictureColumn) continue;
+    head += ',' + csv_cell(columns[i]);
+    const std::string some = none.is_some(i, "f");
+    means += fmt::format(", avg(f.{}) FILTER (WHERE f.kind = 'sample'{})", quoted(columns[i]),
+                         some.empty() ? "" : " AND " + some);
   }
   write(out, head + ",failure\n");
   Statement select(
@@ -100,6 +104,7 @@ void export_frames(Store& store, std::int64_t model, OutputFile& out) {
   std::string head = "point,scene,frame,kind,digest";
   for (const std::string& name : columns) head += ',' + csv_cell(name);
   write(out, head + '\n');
+  const NoValues none(columns);
   const std::vector<StoredPoint> points = store.points();
   for (const auto& [scene, name] : scene_names(store, model))
     for (const StoredPoint& point : points) {
@@ -110,7 +115,8 @@ void export_frames(Store& store, std::int64_t model, OutputFile& out) {
         for (std::size_t i = 0; i < columns.size(); ++i)
           text += columns[i] == PictureColumn
                       ? fmt::format(",{:016x}", static_cast<std::uint64_t>(row.values[i]))
-                      : fmt::format(",{}", row.values[i]);
+                  : none.is_none(i, row.values) ? ","
+                                                : fmt::format(",{}", row.values[i]);
         write(out, text + '\n');
       }
     }

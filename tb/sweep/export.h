@@ -16,11 +16,12 @@ namespace racebeam {
 // Database throws.
 
 /// One row a point and scene: name, what was set, sample and guard frames, the mean of each column
-/// over the sample, and why it failed.
+/// over the sample, and why it failed. Largest and percentile of lines: of frames that have one.
 void export_points(Store& store, std::int64_t model, OutputFile& out);
-/// One row a frame, with all that was stored of it.
+/// One row a frame, with all that was stored of it; nothing where no line had what is asked for.
 void export_frames(Store& store, std::int64_t model, OutputFile& out);
-/// All models, scenes, points and frames, with histograms, causes, failures and runs.
+/// All models, scenes, points and frames, with histograms, causes, failures and runs; null where no
+/// line had what is asked for.
 void export_json(Store& store, OutputFile& out);
 
 /// A value of a CSV file: in quotes if need be.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "tb/sweep/columns.h"
 #include "tb/sweep/export.h"
 #include "tb/sweep/row_digest.h"
 
@@ -83,25 +84,29 @@ void add_points(Store& store, OutputFile& out) {
 }
 
 /// [frame, kind, digest, value by the model's columns ...]
-Json frame_values(const FrameRow& row, const std::vector<std::string>& columns) {
+Json frame_values(const FrameRow& row, const std::vector<std::string>& columns,
+                  const NoValues& none) {
   Json values = Json::array({row.frame, row.guard ? "guard" : "sample", hexadecimal(row.digest)});
   for (std::size_t i = 0; i < columns.size(); ++i)
     values.push_back(columns[i] == PictureColumn
                          ? Json(hexadecimal(static_cast<std::uint64_t>(row.values[i])))
-                         : Json(row.values[i]));
+                     : none.is_none(i, row.values) ? Json()
+                                                   : Json(row.values[i]));
   return values;
 }
 
 void add_results(Store& store, OutputFile& out) {
   List list(out, "results");
   const std::vector<StoredPoint> points = store.points();
-  for (const StoredModel& model : store.models())
+  for (const StoredModel& model : store.models()) {
+    const std::vector<std::string>& columns = store.frames.columns(model.id);
+    const NoValues none(columns);
     for (const StoredScene& scene : store.scenes())
       for (const StoredPoint& point : points) {
         const FrameKey key{model.id, scene.id, point.id};
         Json frames = Json::array(), histograms = Json::object();
         for (const FrameRow& row : store.frames.read(key))
-          frames.push_back(frame_values(row, store.frames.columns(model.id)));
+          frames.push_back(frame_values(row, columns, none));
         if (frames.empty()) continue;
         for (const auto& [name, histogram] : store.frames.histograms(key))
           histograms[name] = {{"frames", histogram.frames}, {"bins", histogram.bins}};
@@ -111,6 +116,7 @@ void add_results(Store& store, OutputFile& out) {
                   {"frames", frames},
                   {"histograms", histograms}});
       }
+  }
   list.end();
 }
 

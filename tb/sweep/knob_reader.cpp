@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tb/base/errors.h"
+#include "tb/scene/engines.h"
 #include "tb/scene/table_reader.h"
 #include "tb/sweep/knob_condition.h"
 #include "tb/sweep/sweep_keys.h"
@@ -27,6 +28,14 @@ const knob_info* row_of(const TomlEntry& entry, const std::vector<std::string>& 
                  "leave it out: the scene file sets it (" + std::string(row.meaning) + ")");
       return nullptr;
     }
+  for (const engine* other : engines())
+    for (const knob_row& row : other->knobs)
+      if (row.name == entry.key) {
+        faults.add(entry.place,
+                   "knob " + quoted(entry.key) + " is one of " + std::string(other->name),
+                   "sweeps are of scenes of box rooms; `racebeam render --set` takes it");
+        return nullptr;
+      }
   std::vector<std::string> known = swept_knobs();
   known.insert(known.end(), others.begin(), others.end());
   faults.add(entry.place, "unknown knob " + quoted(entry.key),
