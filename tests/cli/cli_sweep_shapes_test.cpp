@@ -3,6 +3,8 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
+
 #include "tests/cli/sweep_bench.h"
 
 namespace racebeam {
@@ -13,13 +15,13 @@ using Row = std::map<std::string, std::string>;
 
 class CliSweepShapes : public CliSweepTest {
  protected:
-  /// The part of a line's figures, such as "busy_clocks.never", in the statistics of a frame; of no
-  /// line at all they say null, and the store 0.
-  static std::string part_of(const Json& line, const std::string& part) {
+  /// The part of a line's figures, such as "busy_clocks.never", in the statistics of a frame, if
+  /// they say it; of no line at all they say null, and the row of the frame nothing.
+  static std::optional<std::string> part_of(const Json& line, const std::string& part) {
     for (const std::string& name :
          part == "never" ? Words{"lines_not_done", "lines_without"} : Words{part})
-      if (line.contains(name)) return line.at(name).is_null() ? "0" : line.at(name).dump();
-    return "";
+      if (line.contains(name)) return line.at(name).is_null() ? "" : line.at(name).dump();
+    return {};
   }
 
   /// Runs the sweep and renders all that it has measured. The points' names by scene.
@@ -57,12 +59,12 @@ class CliSweepShapes : public CliSweepTest {
     for (const auto& [name, value] : row) {
       if (own.count(name)) continue;
       const auto dot = name.find('.');
-      const std::string rendered =
+      const std::optional<std::string> rendered =
           dot == std::string::npos ? frame.at(name).dump()
                                    : part_of(frame.at(name.substr(0, dot)), name.substr(dot + 1));
-      if (rendered.empty()) continue;  // render does not say it of this line
-      EXPECT_EQ(value, rendered) << name << " of frame " << row.at("frame") << " of "
-                                 << row.at("point") << " on " << row.at("scene");
+      if (!rendered) continue;  // render does not say it of this line
+      EXPECT_EQ(value, *rendered) << name << " of frame " << row.at("frame") << " of "
+                                  << row.at("point") << " on " << row.at("scene");
     }
   }
   std::vector<std::string> knob_names() const {
@@ -140,6 +142,30 @@ TEST_F(CliSweepShapes, PointsWithNamesAloneAndEveryFrame) {
       "knobs = { fifo_merge = \"off\", corner_rounding = \"on\", bisection = \"floor\" }\n");
   EXPECT_EQ(points.at("my.toml").size(), 4u);
   EXPECT_EQ(query(store("out"), "SELECT count(*) FROM frame")[0], "48");
+}
+
+TEST_F(CliSweepShapes, FramesInWhichNoLineIsDone) {
+  compare(
+      "[frames]\nsample = 2\nguard = 0\n"
+      "skip = [\"pillars*\", \"narrow*\", \"portals*\", \"*and*\", \"tunnel\", \"heights\", "
+      "\"*twist*\", \"*sweep*\"]\n[knobs]\nhead_start = 320\n");
+  const auto frames = read_csv(read_file(folder / "f.csv"));
+  ASSERT_EQ(frames.size(), 4u);
+  for (const Row& frame : frames) {
+    EXPECT_EQ(frame.at("done_clock.never"), "480");
+    EXPECT_EQ(frame.at("done_clock.max"), "");
+    EXPECT_EQ(frame.at("done_clock.sum"), "0");
+  }
+  for (const Row& point : read_csv(read_file(folder / "p.csv")))
+    EXPECT_EQ(point.at("done_clock.max"), "");
+  expect({"sweep", "export", "out", "--json", "all.json"}, 0);
+  const auto all = read_json(folder / "all.json");
+  std::size_t place = 3;  // behind frame, kind and digest
+  for (const Json& column : all.at("models").at(0).at("columns").elements()) {
+    if (column.get<std::string>() == "done_clock.max") break;
+    ++place;
+  }
+  EXPECT_TRUE(all.at("results").at(0).at("frames").at(0).at(place).is_null());
 }
 
 }  // namespace

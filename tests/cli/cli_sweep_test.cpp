@@ -3,6 +3,10 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include "tests/cli/sweep_bench.h"
 
 namespace racebeam {
@@ -132,6 +136,37 @@ TEST_F(CliSweepTest, AWorkerThatCrashesAtTheSameFrameFailsItsPointAloneWithTheRe
   EXPECT_THAT(expect({"sweep", "status", "out"}, 0), HasSubstr("a worker died: Aborted"));
   EXPECT_THAT(expect(run_words("out"), 1), HasSubstr("1 failed")) << "it is not tried again ...";
   EXPECT_THAT(expect(run_words("out", {"--fresh"}), 0), HasSubstr("0 failed")) << "... until asked";
+  expect_run("whole");
+  EXPECT_EQ(frames_of("out"), frames_of("whole"));
+}
+
+/// Writes to where a worker answers, in between, until it has ended; false if that is not allowed.
+bool spoil_answers(int worker) {
+  const int process = static_cast<int>(syscall(SYS_pidfd_open, worker, 0));
+  if (process < 0) return errno == ESRCH;
+  for (; kill(worker, 0) == 0; usleep(200)) {
+    const int file = static_cast<int>(syscall(SYS_pidfd_getfd, process, STDOUT_FILENO, 0));
+    if (file < 0 && errno == EPERM) return close(process), false;
+    if (file < 0) continue;
+    const std::string garbage = "nonsense ";
+    (void)!send(file, garbage.data(), garbage.size(), MSG_NOSIGNAL);  // of sockets, only
+    close(file);
+  }
+  close(process);
+  return true;
+}
+
+TEST_F(CliSweepTest, AWorkerThatAnswersWithGarbageFailsItsPointAloneWithWhatItSaid) {
+  bool may = true;
+  const std::string said = run_with_harm([&may](int worker) {
+    if (may) may = spoil_answers(worker);
+    if (!may) kill(worker, SIGABRT);
+  });
+  if (!may) GTEST_SKIP() << "files of other processes may not be had here";
+  EXPECT_THAT(said, AllOf(HasSubstr("3 measured, 1 failed"), HasSubstr("answered with garbage")));
+  EXPECT_THAT(read_file(fs::directory_iterator(folder / "out/failed")->path()),
+              AllOf(HasSubstr("answered with garbage"), HasSubstr("nonsense ")));
+  EXPECT_THAT(expect(run_words("out", {"--fresh"}), 0), HasSubstr("0 failed"));
   expect_run("whole");
   EXPECT_EQ(frames_of("out"), frames_of("whole"));
 }

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 
 #include "tests/cli/program.h"
@@ -81,9 +82,9 @@ class CliSweepTest : public testing::Test {
     EXPECT_EQ(run.wait(), code) << words[1] << ": " << run.err();
     return run.err() + run.out();
   }
-  /// Runs the small sweep, and does this to each worker of its first point beside the base, until
-  /// that has failed. What is said.
-  std::string run_with_signals(int number) const {
+  /// Runs the small sweep, and does this to each worker of its first point beside the base, again
+  /// and again, until that has failed. What is said.
+  std::string run_with_harm(const std::function<void(int process)>& harm) const {
     write(SmallSweep);
     Program run(folder.path(), {"sweep", "run", "s.toml", "-o", "out", "--jobs", "1"});
     const auto count = [this](const std::string& table) {
@@ -95,7 +96,7 @@ class CliSweepTest : public testing::Test {
     while (run.runs() && count("frame") < 16) usleep(1000);
     while (run.runs() && count("failure") == 0) {
       const std::vector<int> workers = workers_of(run);
-      if (!workers.empty() && count("failure") == 0) kill(workers.front(), number);
+      if (!workers.empty() && count("failure") == 0) harm(workers.front());
       usleep(1000);
     }
     EXPECT_EQ(run.wait(), 1) << run.err();
@@ -105,6 +106,9 @@ class CliSweepTest : public testing::Test {
         3u)
         << "all others are complete";
     return run.err() + run.out();
+  }
+  std::string run_with_signals(int number) const {
+    return run_with_harm([number](int worker) { kill(worker, number); });
   }
   std::string store(const std::string& out) const { return folder / (out + "/sweep.sqlite"); }
   /// All frames of a sweep as CSV.
