@@ -17,8 +17,10 @@
 #include "tb/base/progress.h"
 #include "tb/base/project_folder.h"
 #include "tb/program/common_options.h"
+#include "tb/scene/engines.h"
 #include "tb/show/open_show.h"
 #include "tb/speed/chip_rows.h"
+#include "tb/speed/engine_rows.h"
 #include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
 #include "tb/speed/store_rows.h"
@@ -94,8 +96,8 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
 }
 
 // Groups of rows, which may be asked for as a unit may.
-constexpr const char *Levels = "levels", *Traces = "traces", *Mixes = "mixes", *Host = "host",
-                     *Store = "store";
+constexpr const char *Levels = "levels", *Engines = "engines", *Traces = "traces", *Mixes = "mixes",
+                     *Host = "host", *Store = "store";
 constexpr const char* Sweep = "sweep";  // only if it is asked for: it takes minutes
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
@@ -130,9 +132,12 @@ class GroupRuns {
   int done_ = 0;
 };
 
+/// What a part of the rows of sweeps is called, if it is asked for alone.
+std::string sweep_name(const std::string& part) { return std::string(Sweep) + "-" + part; }
+
 /// Rows of sweeps, which have goals.
-void run_sweeps(int repeats, bool json, Json& all) {
-  measure_sweeps(repeats, [&](const GoalRow& row) {
+void run_sweeps(const std::string& part, int repeats, bool json, Json& all) {
+  measure_sweeps(part, repeats, [&](const GoalRow& row) {
     const char* const goal = row.at_least ? "at_least" : "at_most";
     all.push_back({{"name", row.name},
                    {"value", row.value},
@@ -176,7 +181,8 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 std::vector<std::string> bench_rows() {
-  std::vector<std::string> rows = {Levels, Traces, Mixes, Host, Store, Sweep};
+  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Host, Store, Sweep};
+  for (const std::string& part : sweep_parts()) rows.push_back(sweep_name(part));
   for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
   return rows;
 }
@@ -207,6 +213,12 @@ int command_bench(const BenchOptions& options) {
     add(1, [&] { register_verilated(options.repeats); });
   }
   const std::size_t levels = groups.size();
+  if (wanted(Engines))
+    for (const EngineLevel& row : engine_levels())
+      add(
+          1, [&options, row] { register_engine(row, options.repeats); },
+          [&all, first = EngineLevel{*engines().front(), row.level}.name()](
+              const std::string&, double) { return rate_of(all, first); });
   if (wanted(Traces))
     add(
         TraceRows, [&] { register_traces(options); }, beside_first());
@@ -238,7 +250,9 @@ int command_bench(const BenchOptions& options) {
     store = store_rows();
     if (!options.json) print(store_tables(store));
   }
-  if (!options.rows.empty() && wanted(Sweep)) run_sweeps(options.repeats, options.json, all);
+  for (const std::string& part : sweep_parts())
+    if (!options.rows.empty() && (wanted(Sweep) || wanted(sweep_name(part))))
+      run_sweeps(part, options.repeats, options.json, all);
   if (options.json) {
     Json report{{"schema", "racebeam-bench"},
                 {"version", 1},
@@ -256,9 +270,10 @@ namespace {
 
 void add_options(const CommandOptions& command, BenchOptions& options) {
   command
-      .add_option("row", options.rows,
-                  "Only these: levels, traces, mixes, host, store, sweep, or units; sweep takes "
-                  "minutes and is run only if it is named")
+      .add_option(
+          "row", options.rows,
+          "Only these: levels, engines, traces, mixes, host, store, sweep, a part of it such "
+          "as sweep-causes, or units; sweep takes minutes and is run only if it is named")
       .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))

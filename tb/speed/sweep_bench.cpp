@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/speed/sweep_bench.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
 
-#include "tb/base/forked.h"
 #include "tb/base/output_file.h"
-#include "tb/bench/tlm_bench.h"
 
 namespace racebeam {
 
@@ -33,6 +34,12 @@ ProgramRun SweepBench::run_anew(const std::string& text, const std::string& fold
                                 int jobs) const {
   std::filesystem::remove_all(work_.path() + "/" + folder);
   return run(text, folder, jobs);
+}
+
+void SweepBench::copy(const std::string& from, const std::string& to) const {
+  namespace fs = std::filesystem;
+  fs::remove_all(work_.path() + "/" + to);
+  fs::copy(work_.path() + "/" + from, work_.path() + "/" + to, fs::copy_options::recursive);
 }
 
 SweepPlan SweepBench::plan(const std::string& text) const { return plan_sweep(file_of(text), {}); }
@@ -65,16 +72,13 @@ std::int64_t SweepBench::frames_raced(const std::string& text, const std::string
   return frames;
 }
 
-double SweepBench::render_seconds(const knobs& k, const std::vector<int>& frames) {
-  return std::stod(forked([&] {
-    TlmBench bench({k, true});
-    const double begin = processor_seconds();
-    for (const int frame : frames) {
-      bench.seek(frame);
-      bench.render();
-    }
-    return std::to_string(processor_seconds() - begin);
-  }));
+ProgramRun SweepBench::render(const std::string& text, int sample,
+                              const std::string& setting) const {
+  const std::vector<int> order = plan(text).scenes.front().order;
+  std::vector<int> frames(order.begin(), order.begin() + sample);
+  std::sort(frames.begin(), frames.end());
+  return run_program({"render", "demo", "--at", fmt::format("{}", fmt::join(frames, ",")), "--set",
+                      setting, "--stats", "/dev/null"});
 }
 
 }  // namespace racebeam

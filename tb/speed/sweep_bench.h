@@ -21,6 +21,9 @@ class SweepBench {
   /// From an empty folder.
   ProgramRun run_anew(const std::string& text, const std::string& folder, int jobs = 1) const;
 
+  /// A folder of results as another one is, instead of what it was.
+  void copy(const std::string& from, const std::string& to) const;
+
   SweepPlan plan(const std::string& text) const;
   std::string store_of(const std::string& folder) const;
 
@@ -29,9 +32,9 @@ class SweepBench {
   /// Frames that the points of a sweep have taken, as its racing says; of `sample` each.
   std::int64_t frames_raced(const std::string& text, const std::string& folder, int sample) const;
 
-  /// Processor seconds of a process that renders frames of the demo with these knobs, and does
-  /// nothing else with them.
-  static double render_seconds(const knobs& k, const std::vector<int>& frames);
+  /// One `render` of the first `sample` frames of a sweep, with a knob set and without files; its
+  /// statistics go nowhere.
+  ProgramRun render(const std::string& text, int sample, const std::string& setting) const;
 
  private:
   std::string file_of(const std::string& text) const;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -26,11 +27,17 @@ namespace {
 
 constexpr const char* Frames = "frames = {{ sample = {}, guard = 0 }}\n";
 
+struct Least {
+  double value = std::numeric_limits<double>::infinity();
+
+  void take(double one) { value = std::min(value, one); }
+};
+
 template <class Measure>
 double least_of(int repeats, const Measure& measure) {
-  double least = measure();
-  for (int i = 1; i < repeats; ++i) least = std::min<double>(least, measure());
-  return least;
+  Least least;
+  for (int i = 0; i < repeats; ++i) least.take(measure());
+  return least.value;
 }
 
 /// Points of one knob, all of them measured to the end.
@@ -39,32 +46,40 @@ std::string hurry_sweep(int sample, const char* values) {
          fmt::format("knobs.hurry_threshold = {}\nsearch.race = false\n", values);
 }
 constexpr const char *Alone = "32", *Eight = "[0, 4, 8, 16, 24, 48, 64, 128]";
+constexpr int Values[] = {0, 4, 8, 16, 24, 48, 64, 128};
 
-/// What eight points cost beside rendering their frames: the base and the reference pictures are
-/// there, and what the same command takes that finds all is not counted.
+/// What a point costs beside one `render` of its frames without files: eight of them, each in a
+/// sweep that has the base and the reference pictures. The start of the program counts on neither
+/// side: what the same command takes that finds all, and --version. They run in turn, so that
+/// other work on the machine does the same to all.
 double overhead(const SweepBench& bench, int sample, int repeats) {
-  const std::string text = hurry_sweep(sample, Eight);
-  const SweepPlan plan = bench.plan(text);
-  const std::vector<int>& order = plan.scenes.front().order;
-  const std::vector<int> frames(order.begin(), order.begin() + sample);
-  double rendering = 0;
-  for (std::size_t point = 1; point < plan.points.size(); ++point)
-    rendering += least_of(
-        repeats, [&] { return SweepBench::render_seconds(plan.points[point].k.front(), frames); });
-  const double all = least_of(repeats, [&] {
-    bench.run_anew(hurry_sweep(sample, Alone), "overhead");
-    return bench.run(text, "overhead").cpu_seconds;
-  });
-  const double again = least_of(repeats, [&] { return bench.run(text, "overhead").cpu_seconds; });
-  return (all - again) / rendering;
+  bench.run_anew(hurry_sweep(sample, Alone), "base");
+  double points = 0, rendering = 0;
+  for (const int value : Values) {
+    const std::string text = hurry_sweep(sample, std::to_string(value).c_str());
+    const std::string setting = fmt::format("hurry_threshold={}", value);
+    Least point, again, render, start;
+    for (int i = 0; i < repeats; ++i) {
+      bench.copy("base", "overhead");
+      point.take(bench.run(text, "overhead").cpu_seconds);
+      again.take(bench.run(text, "overhead").cpu_seconds);
+      render.take(bench.render(text, sample, setting).cpu_seconds);
+      start.take(run_program({"--version"}).cpu_seconds);
+    }
+    points += point.value - again.value;
+    rendering += render.value - start.value;
+  }
+  return points / rendering;
 }
 
 double two_cores(const SweepBench& bench, int repeats) {
   const std::string text = hurry_sweep(256, Eight);
-  const auto seconds = [&](int jobs) {
-    return least_of(repeats, [&] { return bench.run_anew(text, "cores", jobs).seconds; });
-  };
-  return seconds(1) / seconds(2);
+  Least one, two;
+  for (int i = 0; i < repeats; ++i) {
+    one.take(bench.run_anew(text, "cores", 1).seconds);
+    two.take(bench.run_anew(text, "cores", 2).seconds);
+  }
+  return one.value / two.value;
 }
 
 /// Until half of the interval of decisions is 1 % of them; in steps of 16.
@@ -195,44 +210,83 @@ Again again(const SweepBench& bench, int repeats) {
   return found;
 }
 
+/// Rows with goals, and who gets them.
+struct Rows {
+  const std::function<void(const GoalRow&)>& row;
+
+  void at_most(const std::string& name, const char* unit, double value, double goal) const {
+    row({"sweep: " + name, unit, value, goal, false});
+  }
+  void at_least(const std::string& name, double value, double goal) const {
+    row({"sweep: " + name, "x", value, goal, true});
+  }
+};
+
+void measure_points(const SweepBench& bench, int repeats, const Rows& rows) {
+  rows.at_most("points of 64 frames, of rendering", "x", overhead(bench, 64, repeats), 1.06);
+  rows.at_most("points of 256 frames, of rendering", "x", overhead(bench, 256, repeats), 1.02);
+}
+
+void measure_cores(const SweepBench& bench, int repeats, const Rows& rows) {
+  if (std::thread::hardware_concurrency() > 1)
+    rows.at_least("two cores, of one", two_cores(bench, repeats), 1.85);
+  else tell("two cores against one: this machine has one");
+}
+
+void measure_decisions(const SweepBench& bench, int, const Rows& rows) {
+  rows.at_most("decisions known to 1 %", "frames", frames_for_one_percent(bench), 384);
+}
+
+void measure_causes(const SweepBench&, int, const Rows& rows) {
+  const Causes of = causes();
+  rows.at_most("errors by cause, a frame", "ms", of.fresh * 1e3, 100);
+  rows.at_most("errors by cause, links known", "ms", of.shared * 1e3, 6);
+  rows.at_most("reference picture, second use", "ms", of.second_reference * 1e3, 0.3);
+}
+
+void measure_again(const SweepBench& bench, int repeats, const Rows& rows) {
+  const Again found = again(bench, repeats);
+  rows.at_most("1,000 points, all there, of a start", "x", found.starts, 4);
+  rows.at_most("memory of 1,000 points", "MB", found.megabytes, 150);
+}
+
+void measure_racing(const SweepBench& bench, int, const Rows& rows) try {
+  rows.at_most("syntheses, of units x 65 points", "x", syntheses(bench, Silicon8::sobol(64, true)),
+               0.25);
+  rows.at_most("syntheses, of units x 180 points", "x", syntheses(bench, Silicon8::Grid), 0.03);
+  bench.run_anew(Silicon8::sobol(256, false), "race",
+                 static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  for (const auto& [sample, goal] : {std::pair(64, 0.55), std::pair(256, 0.4)}) {
+    const Race raced = race(bench, sample);
+    rows.at_most(fmt::format("racing to {} frames, of all frames", sample), "x", raced.frames,
+                 goal);
+    rows.at_least(fmt::format("racing to {} frames, of the front", sample), raced.kept, 1);
+  }
+} catch (const MissingTool& error) {
+  tell(fmt::format("syntheses and racing: {}", error.what()));
+}
+
+struct Part {
+  const char* name;
+  void (*measure)(const SweepBench& bench, int repeats, const Rows& rows);
+};
+constexpr Part Parts[] = {{"points", measure_points},       {"cores", measure_cores},
+                          {"decisions", measure_decisions}, {"causes", measure_causes},
+                          {"again", measure_again},         {"racing", measure_racing}};
+
 }  // namespace
 
-void measure_sweeps(int repeats, const std::function<void(const GoalRow&)>& row) {
+std::vector<std::string> sweep_parts() {
+  std::vector<std::string> names;
+  for (const Part& part : Parts) names.emplace_back(part.name);
+  return names;
+}
+
+void measure_sweeps(const std::string& part, int repeats,
+                    const std::function<void(const GoalRow&)>& row) {
   const SweepBench bench;
-  const auto at_most = [&](const char* name, const char* unit, double value, double goal) {
-    row({std::string("sweep: ") + name, unit, value, goal, false});
-  };
-  const auto at_least = [&](const char* name, double value, double goal) {
-    row({std::string("sweep: ") + name, "x", value, goal, true});
-  };
-  at_most("points of 64 frames, of rendering", "x", overhead(bench, 64, repeats), 1.06);
-  at_most("points of 256 frames, of rendering", "x", overhead(bench, 256, repeats), 1.02);
-  if (std::thread::hardware_concurrency() > 1)
-    at_least("two cores, of one", two_cores(bench, repeats), 1.85);
-  else tell("two cores against one: this machine has one");
-  at_most("decisions known to 1 %", "frames", frames_for_one_percent(bench), 384);
-  const Causes of = causes();
-  at_most("errors by cause, a frame", "ms", of.fresh * 1e3, 100);
-  at_most("errors by cause, links known", "ms", of.shared * 1e3, 6);
-  at_most("reference picture, second use", "ms", of.second_reference * 1e3, 0.3);
-  const Again found = again(bench, repeats);
-  at_most("1,000 points, all there, of a start", "x", found.starts, 4);
-  at_most("memory of 1,000 points", "MB", found.megabytes, 150);
-  try {
-    at_most("syntheses, of units x 65 points", "x", syntheses(bench, Silicon8::sobol(64, true)),
-            0.25);
-    at_most("syntheses, of units x 180 points", "x", syntheses(bench, Silicon8::Grid), 0.03);
-    bench.run_anew(Silicon8::sobol(256, false), "race",
-                   static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-    for (const auto& [sample, goal] : {std::pair(64, 0.55), std::pair(256, 0.4)}) {
-      const Race raced = race(bench, sample);
-      at_most(fmt::format("racing to {} frames, of all frames", sample).c_str(), "x", raced.frames,
-              goal);
-      at_least(fmt::format("racing to {} frames, of the front", sample).c_str(), raced.kept, 1);
-    }
-  } catch (const MissingTool& error) {
-    tell(fmt::format("syntheses and racing: {}", error.what()));
-  }
+  for (const Part& one : Parts)
+    if (one.name == part) one.measure(bench, repeats, {row});
 }
 
 }  // namespace racebeam

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace racebeam {
 
@@ -22,9 +23,13 @@ struct GoalRow {
   bool met() const { return at_least ? value >= goal : value <= goal; }
 };
 
-/// Calls `row` for each as it comes; each time that is compared is the least of so many runs.
-/// Writes into a folder of its own. What needs yosys, or a second core, is left out where that is
-/// missing, which is told. Throws what sweeps throw.
-void measure_sweeps(int repeats, const std::function<void(const GoalRow&)>& row);
+/// What may be measured alone: points, cores, ...
+std::vector<std::string> sweep_parts();
+
+/// Measures a part and calls `row` for each row as it comes; each time that is compared is the
+/// least of so many runs. Writes into a folder of its own. What needs yosys, or a second core, is
+/// left out where that is missing, which is told. Throws what sweeps throw.
+void measure_sweeps(const std::string& part, int repeats,
+                    const std::function<void(const GoalRow&)>& row);
 
 }  // namespace racebeam

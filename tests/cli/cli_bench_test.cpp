@@ -1,10 +1,12 @@
-// `racebeam bench store`: what it prints is what it counts.
+// `racebeam bench`: `store` prints what it counts, `engines` how they compare, `sweep` has rows
+// with goals.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -50,6 +52,51 @@ TEST(CliBench, StoreHasEachRowAsJson) {
       EXPECT_EQ(fmt::format("{:.3f}", row.at("waited_percent").get<double>()), "0.811");
     }
   }
+}
+
+TEST(CliBench, EnginesAreComparedAtEachLevelWithTheFirst) {
+  const auto report =
+      nlohmann::json::parse(output({"bench", "engines", "--repeat", "1", "--json"}));
+  std::vector<std::string> names;
+  for (const auto& row : report.at("medians")) {
+    names.push_back(row.at("name"));
+    const double rate = row.at("clocks_per_second");
+    EXPECT_GT(rate, 0);
+    const std::string first = "beam" + names.back().substr(names.back().find(':'));
+    const auto& medians = report.at("medians");
+    const auto beside = std::find_if(medians.begin(), medians.end(),
+                                     [&](const auto& other) { return other.at("name") == first; });
+    EXPECT_DOUBLE_EQ(row.at("ratio").get<double>(),
+                     rate / beside->at("clocks_per_second").get<double>());
+  }
+  EXPECT_THAT(names,
+              testing::ElementsAre("beam: tlm", "beam: signal", "sphere: tlm", "sphere: signal"));
+}
+
+// A part that takes seconds. How fast it is depends on the machine: a goal that is missed is no
+// failure.
+TEST(CliBench, SweepHasRowsWithGoalsAsJson) {
+  const auto report = nlohmann::json::parse(output({"bench", "sweep-causes", "--json"}));
+  EXPECT_EQ(report.at("schema"), "racebeam-bench");
+  std::vector<std::string> names;
+  for (const auto& row : report.at("medians")) {
+    names.push_back(row.at("name"));
+    const double value = row.at("value"), goal = row.at("at_most");
+    EXPECT_GT(value, 0);
+    EXPECT_EQ(row.at("met").get<bool>(), value <= goal) << row;
+    EXPECT_EQ(row.at("unit"), "ms");
+    EXPECT_EQ(row.size(), 5u) << row;
+  }
+  EXPECT_THAT(names, testing::ElementsAre("sweep: errors by cause, a frame",
+                                          "sweep: errors by cause, links known",
+                                          "sweep: reference picture, second use"));
+}
+
+TEST(CliBench, PartsOfSweepAreNamedLikeIt) {
+  const ScratchFolder folder;
+  Program program(folder.path(), {"bench", "sweep-cause"});
+  EXPECT_EQ(program.wait(), 2);
+  EXPECT_THAT(program.err(), testing::HasSubstr("sweep-causes"));
 }
 
 }  // namespace
