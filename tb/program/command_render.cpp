@@ -75,13 +75,18 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
     const BeamPlace place = place_of(unit->first()->clock, rendered, raster);
     const std::string repeat =
         fmt::format("racebeam render {} --first {}{}", options.scene, place.frame, rest);
-    const std::string closer = trace_command(options.scene, place.frame, unit->unit(), rest);
+    const std::string closer = trace_command(
+        options.scene,
+        fmt::format("{}:{}", place.frame, plan.show.engine().races_beam ? FirstLine : 0),
+        unit->unit(), rest);
     const std::string window =
         plan.folder.empty()
             ? ""
             : save_chip_window(*unit->first(), {plan.show, raster, rendered}, plan.k, plan.folder);
-    tell_difference(explain(*unit->first(), {"in " + place_text(place, raster), repeat, closer,
-                                             window, knobs_text(plan.k)}));
+    tell_difference(explain(*unit->first(),
+                            {"in " + (plan.show.engine().races_beam ? place_text(place, raster)
+                                                                    : picture_text(place, raster)),
+                             repeat, closer, window, knobs_text(plan.k)}));
   }
   return differs;
 }

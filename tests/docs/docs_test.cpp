@@ -9,6 +9,7 @@
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knobs.h"
+#include "sc/sphere/engine.h"
 #include "tb/base/text_pattern.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
@@ -16,6 +17,7 @@
 #include "tb/picture/picture_format.h"
 #include "tb/scene/scene_keys.h"
 #include "tb/scene/scene_reader.h"
+#include "tb/scene/sphere_scene.h"
 #include "tb/sweep/figures.h"
 #include "tests/support/document.h"
 
@@ -113,6 +115,29 @@ TEST(Docs, EveryFigureIsShown) {
 TEST(Docs, ListsEveryKeyOfSceneFiles) {
   const std::string text = page("docs/scenes.md");
   for (const FileKey& key : scene_keys()) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
+}
+
+TEST(Docs, ListsAllOfTheSphereTracer) {
+  const std::string text = page("docs/sphere.md");
+  for (const FileKey& key : sphere_scene_keys())
+    EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
+  const engine& sphere = sphere_engine();
+  for (const knob_row& row : sphere.knobs)
+    EXPECT_THAT(text, HasSubstr("\n| `" + std::string(row.name) + "` | " + row.text(row.standard) +
+                                " | " + row.range() + " | " + row.meaning + " |\n"));
+  for (const counter_info& row : sphere.counters)
+    EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`"));
+  for (const histogram_info& row : sphere.histograms)
+    EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`"));
+}
+
+TEST(Docs, TheExampleOfSpheresIsGood) {
+  const std::string text = page("docs/sphere.md");
+  const auto begin = text.find("```toml\n") + 8;
+  const AnySceneResult result =
+      read_any_scene(text.substr(begin, text.find("```", begin) - begin), "example");
+  ASSERT_TRUE(result.scene) << result.faults.text("docs/sphere.md");
+  EXPECT_EQ(result.scene->counts(), "1 sphere, 1 plane");
 }
 
 TEST(Docs, ListsEveryPictureFormat) {
