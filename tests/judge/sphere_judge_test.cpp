@@ -57,19 +57,26 @@ void expect_near(const SphereProgram& program, int picture, int step, double by_
   ASSERT_GT(e.pixels, 4000u);
   const auto share = [&](std::uint64_t part) { return double(part) / double(e.pixels); };
   EXPECT_LE(share(e.by_more), by_more) << share(e.differing) << " differ, rmse " << e.rmse();
-  EXPECT_LE(share(e.wrong_hits), 0.01);
-  EXPECT_LE(e.rmse(), 2.8);
+  EXPECT_LE(share(e.wrong_hits), 0.005);  // measured: 0.48 %
+  EXPECT_LE(e.rmse(), 1.3);               // 1.27
 }
 
-/// The bounds of the design are those of one ray a pixel and, with planes, of a ray that is not
-/// reflected: behind a mirror the error of a ray has grown. Of several rays, each pixel at an edge
-/// is off, but by less.
+/// One ray a pixel, whole pictures: the bounds of the design, 1 %, and 1.5 % with planes (four:
+/// 0.79 % as there). Wider, each by what was measured: the last of gallery, where the balls mirror
+/// all planes (2.14 %); several rays a pixel, each off by less at an edge (gallery 1.04 and 2.78 %,
+/// mirrors 1.66 %); every fourth pixel of every fourth row (bounce 1.71 %).
+double bound_of(bool planes, bool several_rays, bool balls_mirror_planes, int step) {
+  if (balls_mirror_planes) return several_rays ? 0.028 : 0.022;
+  if (several_rays) return planes ? 0.017 : 0.011;
+  return !planes ? 0.01 : step > 1 ? 0.018 : 0.015;
+}
+
 void expect_picture_near(const std::string& name, int picture, int step) {
   const SphereProgram as_it_is = program_of(name), single = one_ray(as_it_is);
   const sphere_inputs_core in = as_it_is.inputs_before(picture);
-  const bool mirrors = in.planes_q && in.max_reflections_q > 0;
-  expect_near(single, picture, step, mirrors ? 0.025 : in.planes_q ? 0.015 : 0.01);
-  if (in.alias_q) expect_near(as_it_is, picture, step, 0.03);
+  const bool worst = name == "gallery" && in.planes_q;
+  expect_near(single, picture, step, bound_of(in.planes_q, false, worst, step));
+  if (in.alias_q) expect_near(as_it_is, picture, step, bound_of(in.planes_q, true, worst, step));
 }
 
 class SphereJudge : public testing::TestWithParam<std::string> {};
