@@ -83,8 +83,7 @@ TEST_P(ChipLinesPart, HaveTheRegistersOfTheCoresAfterEveryLine) {
 INSTANTIATE_TEST_SUITE_P(Demo, ChipLinesPart,
                          testing::Range(0, static_cast<int>(demo_parts().size())));
 
-// Minutes: run with --gtest_also_run_disabled_tests.
-TEST(ChipLines, DISABLED_HaveTheRegistersOfTheCoresInManyFrames) {
+TEST(LongChipLines, HaveTheRegistersOfTheCoresInManyFrames) {
   Pair pair({});
   for (int i = 0; i < 500; ++i) {
     pair.seek(static_cast<int>((2LL * i + 1) * DemoFrames / 1000));

@@ -77,9 +77,9 @@ void expect_equal_run(int first, int last) {
     ASSERT_NO_FATAL_FAILURE(pair.expect_equal_frame(frame));
 }
 
-// Half an hour each: run with --gtest_also_run_disabled_tests.
-TEST(DemoEquality, DISABLED_HoldsInEveryFrameOfTheFirstHalf) { expect_equal_run(0, 6399); }
-TEST(DemoEquality, DISABLED_HoldsInEveryFrameOfTheSecondHalf) { expect_equal_run(6400, 12798); }
+// Minutes each.
+TEST(LongDemoEquality, HoldsInEveryFrameOfTheFirstHalf) { expect_equal_run(0, 6399); }
+TEST(LongDemoEquality, HoldsInEveryFrameOfTheSecondHalf) { expect_equal_run(6400, 12798); }
 
 }  // namespace
 }  // namespace racebeam

@@ -76,9 +76,8 @@ TEST_P(EveryScene, IsTheSameInSystemCAndInALoop) {
     EXPECT_EQ(bench.render().picture.colours, core_picture(next, k, show.program())) << next;
 }
 
-// Minutes: run with --gtest_also_run_disabled_tests.
-TEST(AllScenes, DISABLED_WithoutLimitsAreTheIntervalTracerInManyFrames) {
-  for (const std::string& name : room_scenes()) expect_chip_equals_trace_4(name, 100);
+TEST(LongScenes, WithoutLimitsAreTheIntervalTracerInManyFrames) {
+  for (const std::string& name : room_scenes()) expect_chip_equals_trace_4(name, 30);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(room_scenes()),
