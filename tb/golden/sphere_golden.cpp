@@ -118,10 +118,17 @@ SphereGolden::Vector SphereGolden::shade(const Hit& hit) const {
   return times(hit.colour, hit.plane ? 1 : std::min(cosine, 1.0) + 0.5);
 }
 
+void SphereGolden::aim(Vector& way) const {
+  normalise(way);
+  if (scene_.direction_bits == 0) return;
+  for (double& each : way)
+    each = std::ldexp(std::trunc(std::ldexp(each, scene_.direction_bits)), -scene_.direction_bits);
+}
+
 SphereGolden::Vector SphereGolden::direction(double x, double y) const {
   Vector way = {(x - scene_.columns / 2.0 - eye_[0]) / 32, (y - scene_.rows / 2.0 - eye_[1]) / 32,
                 screen_ - eye_[2] / 32};
-  normalise(way);
+  aim(way);
   return way;
 }
 
@@ -149,7 +156,7 @@ SphereGolden::Vector SphereGolden::ray(double x, double y) const {
     if (reflections == scene_.reflections || weight < scene_.min_weight / One || hit.is_light)
       return sum;
     direction = along(direction, hit.normal, -2 * dot(direction, hit.normal));
-    normalise(direction);
+    aim(direction);
     origin = hit.point;
     own = hit.plane ? -1 : static_cast<int>(hit.index);
   }

@@ -26,6 +26,9 @@ struct SphereGoldenScene {
   int colour_bits = 5;  ///< of a channel
   bool shadows = true;
   bool plane_shadows = false;
+  /// Directions of rays are cut, towards zero, to so many fraction bits, as the tracer's divider
+  /// does it; 0: they are not.
+  int direction_bits = 0;
 };
 
 class SphereGolden {
@@ -56,6 +59,8 @@ class SphereGolden {
     bool is_light = false;
   };
 
+  /// Makes the length 1, and cuts.
+  void aim(Vector& way) const;
   /// From the eye to a point of the screen, of length 1.
   Vector direction(double x, double y) const;
   bool meet_spheres(const Vector& origin, const Vector& direction, int own, bool primary,

@@ -52,7 +52,13 @@ PictureErrors sphere_golden_errors(const scene_tables* tables, const knob_values
                                    int picture, const PackedPicture& chip, int step) {
   const sphere_knobs k = sphere_knobs(values).resolved();
   const SphereProgram& program = sphere_program_of(tables);
-  const SphereGolden golden(golden_scene(program, k, picture));
+  return sphere_errors(golden_scene(program, k, picture), program, k, picture, chip, step);
+}
+
+PictureErrors sphere_errors(const SphereGoldenScene& scene, const SphereProgram& program,
+                            const sphere_knobs& k, int picture, const PackedPicture& chip,
+                            int step) {
+  const SphereGolden golden(scene);
   const auto core = core_before(program, k, picture);
   PictureErrors errors;
   errors.most = (1 << chip.bits) - 1;

@@ -18,5 +18,9 @@ SphereGoldenScene golden_scene(const SphereProgram& program, const sphere_knobs&
 VgaFrame sphere_golden_picture(const scene_tables* scene, const knob_values& k, int picture);
 PictureErrors sphere_golden_errors(const scene_tables* scene, const knob_values& k, int picture,
                                    const PackedPicture& chip, int step);
+/// The same by what the golden tracer is told: `scene` is the golden_scene(), or another one.
+PictureErrors sphere_errors(const SphereGoldenScene& scene, const SphereProgram& program,
+                            const sphere_knobs& k, int picture, const PackedPicture& chip,
+                            int step);
 
 }  // namespace racebeam

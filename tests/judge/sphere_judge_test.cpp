@@ -11,6 +11,7 @@
 
 #include "sc/sphere/engine.h"
 #include "tb/bench/sphere_bench.h"
+#include "tb/host/sphere_picture.h"
 #include "tb/judge/goldens.h"
 #include "tb/show/open_show.h"
 
@@ -43,17 +44,33 @@ SphereProgram one_ray(SphereProgram program) {
   return program;
 }
 
-PictureErrors errors_of(const SphereProgram& program, int picture, int step) {
-  const sphere_knobs k;
-  const auto bench = make_sphere_bench("tlm", {sphere_engine(), k, &program, picture + 1, {}}, {});
+VgaFrame drawn(const SphereProgram& program, int picture) {
+  const auto bench =
+      make_sphere_bench("tlm", {sphere_engine(), sphere_knobs(), &program, picture + 1, {}}, {});
   bench->seek(picture);
-  return golden_of(sphere_engine())->compare(&program, k, picture, bench->render().picture, step);
+  return bench->render().picture;
+}
+
+/// The same without SystemC, which makes one chip a process.
+PackedPicture drawn_by_core(const SphereProgram& program, int picture) {
+  const sphere_knobs k;
+  const auto core = core_before(program, k, picture);
+  core->draw(program.board_in(picture));
+  const std::vector<std::uint64_t> store = core->picture();
+  PackedPicture picture_of{core->columns(), core->rows(), k.colour_bits, {}};
+  for (int y = 0; y < core->rows(); ++y)
+    for (int x = 0; x < core->columns(); ++x)
+      picture_of.push(static_cast<std::uint32_t>(
+          store[static_cast<std::size_t>(core->address(x, y))] & ((1u << 3 * k.colour_bits) - 1)));
+  return picture_of;
 }
 
 /// `by_more`: the share of pixels that may be off by more than one level.
 void expect_near(const SphereProgram& program, int picture, int step, double by_more) {
   SCOPED_TRACE("picture " + std::to_string(picture));
-  const PictureErrors e = errors_of(program, picture, step);
+  const PictureErrors e =
+      golden_of(sphere_engine())
+          ->compare(&program, sphere_knobs(), picture, drawn(program, picture), step);
   ASSERT_GT(e.pixels, 4000u);
   const auto share = [&](std::uint64_t part) { return double(part) / double(e.pixels); };
   EXPECT_LE(share(e.by_more), by_more) << share(e.differing) << " differ, rmse " << e.rmse();
@@ -63,8 +80,9 @@ void expect_near(const SphereProgram& program, int picture, int step, double by_
 
 /// One ray a pixel, whole pictures: the bounds of the design, 1 %, and 1.5 % with planes (four:
 /// 0.79 % as there). Wider, each by what was measured: the last of gallery, where the balls mirror
-/// all planes (2.14 %); several rays a pixel, each off by less at an edge (gallery 1.04 and 2.78 %,
-/// mirrors 1.66 %); every fourth pixel of every fourth row (bounce 1.71 %).
+/// all planes (2.14 %; why: TwelveBitsOfADirection...); several rays a pixel, each off by less at
+/// an edge (gallery 1.04 and 2.78 %, mirrors 1.66 %); every fourth pixel of every fourth row
+/// (bounce 1.71 %).
 double bound_of(bool planes, bool several_rays, bool balls_mirror_planes, int step) {
   if (balls_mirror_planes) return several_rays ? 0.028 : 0.022;
   if (several_rays) return planes ? 0.017 : 0.011;
@@ -93,6 +111,37 @@ TEST_P(LongSphereJudge, WholePicturesAreWithinTheBounds) {
 }
 INSTANTIATE_TEST_SUITE_P(LongScenes, LongSphereJudge, testing::ValuesIn(scene_files()),
                          [](const auto& info) { return info.param; });
+
+// Three mirrors, two of them balls, magnify what a direction lacks behind 12 bits, and edges lie
+// elsewhere. A golden tracer with such directions, exact in all else, is off in 0.73 % of the
+// pixels instead of 2.14, with nine rays a pixel in 0.82 % instead of 2.78. Of that 0.44 % is the
+// endless floor: where it is more than 2048 units away the tracer's numbers end.
+void expect_directions_to_blame(SphereProgram program, double off, double cut, double near) {
+  constexpr int Picture = 7;
+  const sphere_knobs k;
+  const auto share = [&](int direction_bits) {
+    SphereGoldenScene scene = golden_scene(program, k, Picture);
+    scene.direction_bits = direction_bits;
+    const PictureErrors e =
+        sphere_errors(scene, program, k, Picture, drawn_by_core(program, Picture), 1);
+    return double(e.by_more) / double(e.pixels);
+  };
+  EXPECT_GT(share(0), off);
+  EXPECT_LE(share(k.fraction_bits), cut) << "the bound of the design";
+  for (plane_row& plane : program.planes) {
+    plane.limited = true;
+    plane.limit = {500, 500, 500};
+  }
+  EXPECT_LE(share(k.fraction_bits), near) << "with a floor that ends";
+}
+
+TEST(SphereDirections, TwelveBitsOfThemAreWhyTheGalleryIsOffInItsMirrors) {
+  expect_directions_to_blame(one_ray(program_of("gallery")), 0.02, 0.01, 0.004);
+}
+
+TEST(LongSphereDirections, TwelveBitsOfThemAreWhyTheGalleryIsOffWithNineRays) {
+  expect_directions_to_blame(program_of("gallery"), 0.025, 0.01, 0.005);
+}
 
 TEST(SphereErrors, AreCountedAsTheyAre) {
   const SphereProgram& program = builtin_sphere_program();
