@@ -30,9 +30,11 @@ set(MODEL_OF_beam
     tb/scene/toml_tree.*
     tb/bench/tlm_bench.*
     tb/monitor/raster.*
+    tb/sweep/beam_frame_judge.*
     tb/sweep/columns.*)
 set(MODEL_OF_sphere
     sc/base
+    sc/video
     sc/store
     sc/sphere
     tb/host
@@ -43,7 +45,9 @@ set(MODEL_OF_sphere
     tb/bench/sphere_bench.*
     tb/bench/sphere_tlm_bench.*
     tb/bench/sphere_pins.*
-    tb/sweep/columns.*)
+    tb/judge/sphere_judge.*
+    tb/sweep/columns.*
+    tb/sweep/sphere_frame_judge.*)
 
 # model_sources(<engine> <root> <variable>): those files, seen from <root>
 function(model_sources engine root variable)

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tb/scene/engines.h"
+#include "tb/show/open_show.h"
 #include "tb/sweep/packed.h"
 #include "tb/sweep/row_digest.h"
 
@@ -14,17 +16,18 @@ namespace {
 
 using Json = nlohmann::json;
 
-// All knobs by name: a request is read by the program that wrote it.
-Json knobs_json(const knobs& k) {
-  Json json = Json::object();
-  for (const knob_info& row : knob_table()) json[row.name] = k.*row.member;
-  return json;
+// All knobs by row: a request is read by the program that wrote it.
+Json knobs_json(const knob_values& k) {
+  if (k.rows().empty()) return nullptr;
+  Json json = Json::array();
+  for (std::size_t row = 0; row < k.rows().size(); ++row) json.push_back(k[row]);
+  return {{"engine", engine_of(k).name}, {"values", json}};
 }
 
-knobs knobs_of(const Json& json) {
-  knobs k;
-  for (const knob_info& row : knob_table()) k.*row.member = json.at(row.name).get<int>();
-  return k;
+knob_values knobs_of(const Json& json) {
+  if (json.is_null()) return {};
+  return {engine_named(json.at("engine").get<std::string>()).knobs,
+          json.at("values").get<std::vector<int>>()};
 }
 
 Json binary(const std::string& bytes) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/beam/knobs.h"
+#include "sc/base/knob_values.h"
 #include "tb/sweep/frame_table.h"
 #include "tb/sweep/sweep_file.h"
 
@@ -27,8 +27,8 @@ struct Block {
   int point = 0, scene = 0;  ///< where they stand in the sweep
   std::string scene_name;    ///< as on the command line
   std::string scene_hash;    ///< what the scene must be
-  knobs k;
-  knobs base;  ///< those of the base point
+  knob_values k;
+  knob_values base;  ///< those of the base point
   std::vector<int> frames;
   bool guard = false;
   bool causes = false;    ///< errors by cause are asked for

@@ -10,6 +10,7 @@
 #include "tb/base/spread.h"
 #include "tb/sweep/database.h"
 #include "tb/sweep/row_digest.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 
@@ -61,13 +62,13 @@ std::vector<std::string> sweep_columns(const engine& built) {
   for (const line_info& line : built.lines)
     for (const char* part : {".sum", ".p99", ".max", ".never"})
       columns.push_back(std::string(line.name) + part);
-  for (const char* name : {"error_pixels", "visible_error_pixels", PictureColumn})
-    columns.emplace_back(name);
+  for (const char* name : sweep_kind(built).errors) columns.emplace_back(name);
+  columns.emplace_back(PictureColumn);
   return columns;
 }
 
 std::vector<std::int64_t> column_values(const engine& built, const frame_counts& counts,
-                                        const FrameErrors& errors,
+                                        std::vector<std::int64_t> errors,
                                         const std::vector<std::uint8_t>& colours) {
   std::vector<std::int64_t> values;
   for (const std::uint64_t counter : counts.counters)
@@ -90,8 +91,8 @@ std::vector<std::int64_t> column_values(const engine& built, const frame_counts&
     values.push_back(any ? spread.max() : 0);
     values.push_back(never);
   }
-  values.push_back(errors.error_pixels);
-  values.push_back(errors.visible_error_pixels);
+  errors.resize(sweep_kind(built).errors.size());
+  values.insert(values.end(), errors.begin(), errors.end());
   values.push_back(picture_digest({reinterpret_cast<const char*>(colours.data()), colours.size()}));
   return values;
 }

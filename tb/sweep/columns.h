@@ -12,20 +12,14 @@
 
 namespace racebeam {
 
-/// Beside what an engine counts; pixels.
-struct FrameErrors {
-  std::int64_t error_pixels = 0;          ///< that differ from the reference picture
-  std::int64_t visible_error_pixels = 0;  ///< of those: not explained by an edge moved by a pixel
-};
-
 /// The engine's counters by name; of each of its histograms NAME.sum, of all values, and some
 /// percentiles, NAME.p50; of each number of its lines NAME.sum, NAME.p99, NAME.max and NAME.never
-/// (lines that it never came in); then FrameErrors, and the picture's digest.
+/// (lines that it never came in); then the errors of its SweepKind, and the picture's digest.
 std::vector<std::string> sweep_columns(const engine& built);
 
-/// Their values in a frame with this picture, 640 x 480 colours.
+/// Their values in a frame with this picture. No errors: it was not judged, and has none.
 std::vector<std::int64_t> column_values(const engine& built, const frame_counts& counts,
-                                        const FrameErrors& errors,
+                                        std::vector<std::int64_t> errors,
                                         const std::vector<std::uint8_t>& colours);
 
 /// Which values of a frame are none: NAME.p99 and NAME.max of a number that no line had. A row has

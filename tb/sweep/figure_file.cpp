@@ -59,7 +59,8 @@ std::string figures_csv(const SweepPlan& plan, const Measurer& measurer, const S
                         int frames) {
   std::vector<const PointFigure*> figures;
   for (const PointFigure& figure : figure_table())
-    if (!figure.of_cause || is_cause(figure, plan.file.measure.reference))
+    if (figure.is_of(*plan.file.built) &&
+        (!figure.of_cause || is_cause(figure, plan.file.measure.reference)))
       figures.push_back(&figure);
   std::string text = "point,scene,figure,unit,frames,value,half_width,change,change_half_width\n";
   const std::vector<PointReading> base = state.read(0, figures, frames);

@@ -10,6 +10,8 @@
 #include "sc/beam/engine.h"
 #include "tb/base/errors.h"
 #include "tb/judge/error_causes.h"
+#include "tb/sweep/columns.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 
@@ -206,6 +208,48 @@ std::vector<PointFigure> line_figures() {
   return figures;
 }
 
+/// Of pictures that take their time.
+std::vector<PointFigure> ray_figures() {
+  const auto a_pixel = [](const char* name, const char* unit, const char* meaning,
+                          const std::vector<const char*>& columns, double factor = 1) {
+    PointFigure figure{name, unit, meaning, PointFigure::Mean, {}, {{"pixels", 1}}};
+    for (const char* column : columns) figure.terms.push_back({column, factor});
+    return figure;
+  };
+  return {
+      a_pixel("picture_error", "%", "pixels that differ from the golden tracer's picture, of all",
+              {"golden_error_pixels"}, 100),
+      a_pixel("error.levels", "%", "pixels that do so by more than one level in some channel",
+              {"golden_level_pixels"}, 100),
+      a_pixel("clocks", "a pixel", "clocks of a picture, from its start to its end", {"clocks"}),
+      {"frames",
+       "a picture",
+       "frames of the raster that a picture takes",
+       PointFigure::Mean,
+       {{"frames", 1}}},
+      {"clocks.max", "clocks", "of the slowest picture", PointFigure::Largest, {{"clocks", 1}}},
+      a_pixel("rays", "a pixel", "rays from the eye, from mirrors and to the light",
+              {"primary_rays", "reflected_rays", "shadow_rays"}),
+      a_pixel("tests", "a pixel", "tests of a ray against a sphere or a plane",
+              {"sphere_tests", "plane_tests"}),
+      a_pixel("roots", "a pixel", "square roots", {"roots"}),
+      a_pixel("divisions", "a pixel", "divisions", {"divisions"}),
+      a_pixel("stalls", "clocks a pixel", "clocks that a word waits for the write buffer",
+              {"buffer_stalls"}),
+      {"lost",
+       "%",
+       "words that the write buffer loses, of all",
+       PointFigure::Mean,
+       {{"buffer_lost", 100}},
+       {{"words", 1}}},
+      {"overflows",
+       "a picture",
+       "numbers that leave their bits",
+       PointFigure::Mean,
+       {{"overflows", 1}}},
+  };
+}
+
 std::vector<PointFigure> silicon_figures() {
   return {
       {"flip_flops", "bits", "flip-flops of the chip without sound", PointFigure::Exact, {}},
@@ -219,7 +263,7 @@ const std::vector<PointFigure>& figure_table() {
   static const std::vector<PointFigure> table = [] {
     std::vector<PointFigure> all;
     for (auto* const figures : {picture_figures, cause_figures, beam_figures, work_figures,
-                                line_figures, silicon_figures})
+                                line_figures, ray_figures, silicon_figures})
       for (PointFigure& figure : figures()) all.push_back(std::move(figure));
     return all;
   }();
@@ -230,6 +274,23 @@ const PointFigure* figure_named(const std::string& name) {
   for (const PointFigure& figure : figure_table())
     if (figure.name == name) return &figure;
   return nullptr;
+}
+
+const PointFigure* figure_named(const std::string& name, const engine& built) {
+  for (const PointFigure& figure : figure_table())
+    if (figure.name == name && figure.is_of(built)) return &figure;
+  return nullptr;
+}
+
+std::vector<const engine*> engines_with(const PointFigure& figure) {
+  std::vector<const engine*> all;
+  for (const SweepKind& kind : sweep_kinds())
+    if (figure.is_of(kind.engine)) all.push_back(&kind.engine);
+  return all;
+}
+
+bool PointFigure::is_of(const engine& built) const {
+  return of_cause ? sweep_kind(built).measures.causes : !missing(sweep_columns(built));
 }
 
 std::string figure_row(const PointFigure& figure) {
@@ -243,9 +304,14 @@ std::string figures_text(const std::string& before) {
     units = std::max(units, std::string_view(figure.unit).size());
   }
   std::string text;
-  for (const PointFigure& figure : figure_table())
-    text += fmt::format("{}{:<{}}  {:<{}}  {}\n", before, figure.name, names, figure.unit, units,
-                        figure.meaning);
+  for (const SweepKind& kind : sweep_kinds()) {
+    text += fmt::format("{}{}of scenes for {}:\n", text.empty() ? "" : before + "\n", before,
+                        kind.engine.name);
+    for (const PointFigure& figure : figure_table())
+      if (figure.is_of(kind.engine))
+        text += fmt::format("{}{:<{}}  {:<{}}  {}\n", before, figure.name, names, figure.unit,
+                            units, figure.meaning);
+  }
   return text;
 }
 

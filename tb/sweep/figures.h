@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/base/engine.h"
 #include "tb/sweep/frame_row.h"
 #include "tb/sweep/interval.h"
 
@@ -45,13 +46,19 @@ struct PointFigure {
   const char* measure() const { return kind == Exact ? "silicon" : of_cause ? "causes" : ""; }
   /// What is read of a frame.
   std::vector<std::string> columns() const;
+  /// Whether an engine has all that it is read from.
+  bool is_of(const engine& built) const;
   /// The first of its columns that a store does not have; nullptr if it has all.
   const char* missing(const std::vector<std::string>& columns) const;
 };
 
 const std::vector<PointFigure>& figure_table();
+/// Those of an engine that have them: a name may mean another formula of another engine.
+std::vector<const engine*> engines_with(const PointFigure& figure);
 /// nullptr: there is none of that name.
 const PointFigure* figure_named(const std::string& name);
+/// The same of an engine.
+const PointFigure* figure_named(const std::string& name, const engine& built);
 /// One line of the table in docs/explore.md, without the newline.
 std::string figure_row(const PointFigure& figure);
 /// All of them for a terminal, one a line, each after `before`.

@@ -16,11 +16,19 @@ namespace {
 const SweepFigure* figure_of(const TomlEntry& entry, const std::vector<SweepFigure>& figures,
                              Faults& faults) {
   std::vector<std::string> known;
+  const engine* owner = nullptr;
   for (const SweepFigure& figure : figures) {
+    if (figure.foreign) {
+      if (figure.name == entry.key) owner = figure.engines.front();
+      continue;
+    }
     if (figure.name == entry.key) return &figure;
     known.push_back(figure.name);
   }
-  faults.add(entry.place, "unknown figure " + quoted(entry.key), name_help(entry.key, known));
+  faults.add(entry.place,
+             owner ? "figure " + quoted(entry.key) + " is one of " + owner->name
+                   : "unknown figure " + quoted(entry.key),
+             name_help(entry.key, known));
   return nullptr;
 }
 

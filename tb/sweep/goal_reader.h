@@ -19,6 +19,8 @@ struct SweepFigure {
   std::string unit;          ///< "%", "clocks a line"
   bool sampled = true;       ///< estimated from frames, with an interval
   std::string measure = {};  ///< key of [measure] that brings it, "silicon", "causes", or empty
+  std::vector<const engine*> engines = {};  ///< that have it; empty: all
+  bool foreign = false;                     ///< the sweep's engine does not have it
 };
 
 /// [goals]: "min", "max", { most = "0.5 %" }, { least = 3 }. A goal that is not measured is a

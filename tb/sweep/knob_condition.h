@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sc/beam/knobs.h"
+#include "sc/base/engine.h"
 #include "tb/base/expression.h"
 
 namespace racebeam {
@@ -16,9 +16,9 @@ namespace racebeam {
 class KnobCondition {
  public:
   /// Throws UsageError: no such knob, no such value, not an expression.
-  explicit KnobCondition(const std::string& text);
+  KnobCondition(const engine& of, const std::string& text);
 
-  bool holds(const knobs& k);
+  bool holds(const knob_values& k);
 
  private:
   std::vector<double> values_;  // by row of the table; their places are known to the expression

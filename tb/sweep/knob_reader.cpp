@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/sweep/knob_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -19,10 +21,10 @@ namespace {
 constexpr const char* Where = "where";
 
 // The row of an entry; a fault if there is none. `others` are keys of the table that are no knobs.
-const knob_info* row_of(const TomlEntry& entry, const std::vector<std::string>& others,
-                        Faults& faults) {
-  if (const knob_info* row = swept_knob(entry.key)) return row;
-  for (const knob_info& row : knob_table())
+const knob_row* row_of(const TomlEntry& entry, const engine& built,
+                       const std::vector<std::string>& others, Faults& faults) {
+  if (const knob_row* row = swept_knob(built, entry.key)) return row;
+  for (const knob_row& row : built.knobs)
     if (row.of_scene && row.name == entry.key) {
       faults.add(entry.place, "knob " + quoted(entry.key) + " is the scene's",
                  "leave it out: the scene file sets it (" + std::string(row.meaning) + ")");
@@ -31,19 +33,20 @@ const knob_info* row_of(const TomlEntry& entry, const std::vector<std::string>& 
   for (const engine* other : engines())
     for (const knob_row& row : other->knobs)
       if (row.name == entry.key) {
-        faults.add(entry.place,
-                   "knob " + quoted(entry.key) + " is one of " + std::string(other->name),
-                   "sweeps are of scenes of box rooms; `racebeam render --set` takes it");
+        faults.add(
+            entry.place, "knob " + quoted(entry.key) + " is one of " + std::string(other->name),
+            fmt::format("the scenes of this sweep are for {}: name scenes for {}, or leave it out",
+                        built.name, other->name));
         return nullptr;
       }
-  std::vector<std::string> known = swept_knobs();
+  std::vector<std::string> known = swept_knobs(built);
   known.insert(known.end(), others.begin(), others.end());
   faults.add(entry.place, "unknown knob " + quoted(entry.key),
              name_help(entry.key, known) + "; `racebeam knobs` explains them");
   return nullptr;
 }
 
-bool read_value(const TomlNode& node, const knob_info& row, int& to, Faults& faults) {
+bool read_value(const TomlNode& node, const knob_row& row, int& to, Faults& faults) {
   if (row.names.empty()) return read_number(node, row.name, row.min, row.max, to, faults, row.unit);
   if (node.kind != TomlNode::String) {
     wrong_type(node, row.name, "one of " + row.range() + ", in quotes", faults);
@@ -55,7 +58,7 @@ bool read_value(const TomlNode& node, const knob_info& row, int& to, Faults& fau
   return true;
 }
 
-void read_range(const TomlNode& node, const knob_info& row, std::vector<int>& to, Faults& faults) {
+void read_range(const TomlNode& node, const knob_row& row, std::vector<int>& to, Faults& faults) {
   const std::string name = row.name;
   if (!row.names.empty()) {
     faults.add(node.place, quoted(name) + " is a range, but its values are names",
@@ -78,7 +81,7 @@ void read_range(const TomlNode& node, const knob_info& row, std::vector<int>& to
   for (; from <= last; from += step) to.push_back(from);
 }
 
-void read_list(const TomlNode& node, const knob_info& row, std::vector<int>& to, Faults& faults) {
+void read_list(const TomlNode& node, const knob_row& row, std::vector<int>& to, Faults& faults) {
   if (node.items.empty())
     faults.add(node.place, quoted(row.name) + " has an empty list",
                "name values, or leave the knob out: it is then as in [base]");
@@ -105,7 +108,7 @@ void read_where(const TomlNode& node, SweepFile& file, Faults& faults) {
     return;
   }
   try {
-    KnobCondition(node.text);
+    KnobCondition(*file.built, node.text);
     file.where = node.text;
     file.where_place = node.place;
   } catch (const UsageError& error) {
@@ -124,7 +127,7 @@ bool is_table(const TomlNode& node, const std::string& name, Faults& faults) {
 void read_point_knobs(const TomlNode& node, SweepPoint& point, Faults& faults) {
   if (!is_table(node, "knobs", faults)) return;
   for (const TomlEntry& entry : node.entries)
-    if (const knob_info* row = row_of(entry, {}, faults)) {
+    if (const knob_row* row = row_of(entry, engine_of(point.k), {}, faults)) {
       int value = 0;
       if (read_value(entry.value, *row, value, faults)) point.set_knob(*row, value);
     }
@@ -136,7 +139,7 @@ void read_swept_knobs(const TomlNode& node, SweepFile& file, Faults& faults) {
   for (const TomlEntry& entry : node.entries) {
     if (entry.key == Where) {
       read_where(entry.value, file, faults);
-    } else if (const knob_info* row = row_of(entry, {Where}, faults)) {
+    } else if (const knob_row* row = row_of(entry, *file.built, {Where}, faults)) {
       KnobValues values{row, {}, false};
       if (entry.value.kind == TomlNode::Array) {
         read_list(entry.value, *row, values.values, faults);

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "tb/judge/error_causes.h"
 #include "tb/sweep/model_hash.h"
 #include "tb/sweep/row_digest.h"
 #include "tb/sweep/store_errors.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 
@@ -208,15 +208,9 @@ struct Measurer::PictureKeys {
 
 Measurer::PictureKeys Measurer::picture_keys(const Block& block) const {
   const Show& show = plan_.scenes[static_cast<std::size_t>(block.scene)].show;
-  PictureKeys keys{fmt::format("{} {}", model_hash("beam"), block.scene_hash),
-                   ReferencePicture(show, block.reference, block.k, block.base).key(),
-                   "",
-                   {}};
-  if (!block.causes) return keys;
-  const ErrorChain chain(show, block.k, block.reference);
-  if (block.reference == SweepReference::Base) keys.end = chain.end().key();
-  for (const std::string& key : chain.keys()) keys.links.push_back("link " + text_hash(key));
-  return keys;
+  const ReferenceKeys keys = sweep_kind(show.engine()).judge(show, block)->keys();
+  return {fmt::format("{} {}", model_hash(show.engine().name), block.scene_hash), keys.reference,
+          keys.end, keys.links};
 }
 
 void Measurer::prepare(Block& block) {

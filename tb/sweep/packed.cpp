@@ -96,6 +96,31 @@ std::vector<std::uint8_t> unpacked_colours(std::string_view bytes, std::size_t s
   return colours_of(unpacked(bytes.substr(head + 1), length), size);
 }
 
+// The size is that of a screen at most: a head that says more is damaged.
+std::string packed_picture(const PackedPicture& picture) {
+  std::string head;
+  for (const int number : {picture.width, picture.height, picture.bits})
+    head += std::to_string(number) + ' ';
+  return head +
+         packed({reinterpret_cast<const char*>(picture.colours.data()), picture.colours.size()});
+}
+
+PackedPicture unpacked_picture(std::string_view bytes) {
+  constexpr int MostColumns = 4096, MostBits = 10;
+  PackedPicture picture;
+  const char *at = bytes.data(), *const end = at + bytes.size();
+  for (int* const number : {&picture.width, &picture.height, &picture.bits}) {
+    const auto [rest, error] = std::from_chars(at, end, *number);
+    if (error != std::errc() || rest == end || *number < 1 || *number > MostColumns) damaged();
+    at = rest + 1;
+  }
+  if (picture.bits > MostBits) damaged();
+  const std::string colours =
+      unpacked({at, static_cast<std::size_t>(end - at)}, picture.pixels() * picture.colour_bytes());
+  picture.colours.assign(colours.begin(), colours.end());
+  return picture;
+}
+
 std::string hex_of(std::string_view bytes) {
   constexpr const char* Digits = "0123456789abcdef";
   std::string digits;

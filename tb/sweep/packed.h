@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tb/base/packed_picture.h"
+
 namespace racebeam {
 
 /// Any bytes, by zlib.
@@ -22,6 +24,11 @@ std::string unpacked(std::string_view bytes, std::size_t size);
 std::string packed_colours(const std::vector<std::uint8_t>& colours);
 /// The `size` colours again. Throws std::runtime_error if they are others.
 std::vector<std::uint8_t> unpacked_colours(std::string_view bytes, std::size_t size);
+
+/// A picture with its size and depth, by zlib.
+std::string packed_picture(const PackedPicture& picture);
+/// The same again. Throws std::runtime_error if it is none.
+PackedPicture unpacked_picture(std::string_view bytes);
 
 /// As digits, for text.
 std::string hex_of(std::string_view bytes);

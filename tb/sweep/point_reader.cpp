@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "tb/scene/engines.h"
 #include "tb/scene/table_reader.h"
 #include "tb/sweep/knob_reader.h"
 #include "tb/sweep/sweep_keys.h"
@@ -39,7 +40,7 @@ void read_base(const TomlNode& node, SweepPoint& base, std::map<std::string, int
                Faults& faults) {
   const TableReader table(node, "base", faults, sweep_keys());
   if (const TomlNode* given = table.find("knobs")) read_point_knobs(*given, base, faults);
-  if (base.k != knobs{}) base.name = "base";
+  if (base.k != engine_of(base.k).standard(nullptr)) base.name = "base";
   read_name(table, lines, base.name);
 }
 

@@ -8,10 +8,10 @@
 #include <chrono>
 #include <filesystem>
 
-#include "sc/beam/knob_parameters.h"
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
+#include "tb/sweep/sweep_kinds.h"
 #include "tb/sweep/unit_sources.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/run_tool.h"
@@ -53,7 +53,7 @@ Silicon::Silicon(const engine& engine)
     : engine_(engine),
       yosys_(yosys_version()),
       recipe_(content_key({whole_file(recipe_file())})),
-      usual_(engine.parameters(knobs())),
+      usual_(engine.parameters(engine.standard(nullptr))),
       known_(usual_.size()) {
   for (const std::string& name : engine.unit_names(false)) {
     if (name == Sound) continue;
@@ -68,8 +68,13 @@ Silicon::Silicon(const engine& engine)
   }
 }
 
-std::vector<UnitParameters> Silicon::units_of(const knobs& k) const {
-  const std::vector<rtl_parameter> wanted = engine_.parameters(without_pins(k));
+std::vector<UnitParameters> Silicon::units_of(const knob_values& k) const {
+  const knob_values usual = engine_.standard(nullptr);
+  knob_values inside = k;
+  for (std::size_t row = 0; row < k.rows().size(); ++row)
+    for (const char* name : sweep_kind(engine_).outside)
+      if (std::string(name) == k.rows()[row].name) inside[row] = usual[row];
+  const std::vector<rtl_parameter> wanted = engine_.parameters(inside);
   std::vector<std::string> settings;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     settings.push_back(wanted[i].name + "=" + std::to_string(wanted[i].value));

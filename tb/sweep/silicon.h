@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "sc/base/engine.h"
-#include "sc/beam/knobs.h"
 #include "sc/swap/rtl_parameters.h"
 
 namespace racebeam {
@@ -50,7 +49,7 @@ class Silicon {
 
   /// What has to be synthesised for a point, without doing it. Pins change no silicon. Throws
   /// NoSilicon of a knob that differs from the chip and that no unit's RTL has.
-  std::vector<UnitParameters> units_of(const knobs& k) const;
+  std::vector<UnitParameters> units_of(const knob_values& k) const;
 
  private:
   struct Unit {

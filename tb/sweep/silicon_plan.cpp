@@ -10,7 +10,7 @@ SiliconPlan::SiliconPlan(const Silicon& silicon,
                          std::function<std::optional<UnitSilicon>(const std::string&)> stored)
     : silicon_(silicon), stored_(std::move(stored)) {}
 
-void SiliconPlan::want(const knobs& k) try {
+void SiliconPlan::want(const knob_values& k) try {
   for (UnitParameters& unit : silicon_.units_of(k)) {
     ++without_sharing_;
     const auto [at, fresh] = by_hash_.try_emplace(unit.hash);
@@ -34,7 +34,7 @@ void SiliconPlan::put(const UnitParameters& unit, const UnitOutcome& outcome) {
   by_hash_.at(unit.hash) = outcome;
 }
 
-PointSilicon SiliconPlan::of(const knobs& k) const try {
+PointSilicon SiliconPlan::of(const knob_values& k) const try {
   PointSilicon sum;
   for (const UnitParameters& unit : silicon_.units_of(k)) {
     const auto at = by_hash_.find(unit.hash);

@@ -29,7 +29,7 @@ class SiliconPlan {
               std::function<std::optional<UnitSilicon>(const std::string& hash)> stored);
 
   /// A point of the sweep. One without silicon adds nothing.
-  void want(const knobs& k);
+  void want(const knob_values& k);
   /// Units that are neither stored nor put, each once.
   std::vector<UnitParameters> missing() const;
   /// Units of all points that are wanted: so many syntheses it were if they shared none.
@@ -38,7 +38,7 @@ class SiliconPlan {
   void put(const UnitParameters& unit, const UnitOutcome& outcome);
 
   /// A point that was wanted; before its units are there its fault says so.
-  PointSilicon of(const knobs& k) const;
+  PointSilicon of(const knob_values& k) const;
 
  private:
   const Silicon& silicon_;

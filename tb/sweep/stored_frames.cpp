@@ -11,11 +11,13 @@
 
 #include "tb/base/counted.h"
 #include "tb/base/errors.h"
+#include "tb/scene/engines.h"
 #include "tb/show/open_show.h"
 #include "tb/sweep/block_runner.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/model_hash.h"
 #include "tb/sweep/schema.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 
@@ -79,7 +81,7 @@ std::string repeatable(const StoredScene& scene) try {
 }
 
 // The knobs of a stored setting, and what it was compared with.
-bool read_setting(const std::string& text, knobs& k, SweepReference& reference) {
+bool read_setting(const std::string& text, knob_values& k, SweepReference& reference) {
   const auto& words = reference_words();
   for (const auto& [name, value] : setting_of(text)) {
     if (name == "reference") {
@@ -87,12 +89,13 @@ bool read_setting(const std::string& text, knobs& k, SweepReference& reference) 
       if (at == words.end()) return false;
       reference = static_cast<SweepReference>(at - words.begin());
     }
-    for (const knob_info& row : knob_table()) {
+    for (std::size_t at = 0; at < k.rows().size(); ++at) {
+      const knob_row& row = k.rows()[at];
       if (name != row.name) continue;
       int number = row.min;
       while (number <= row.max && row.text(number) != value) ++number;
       if (number > row.max) return false;
-      k.*row.member = number;
+      k[at] = number;
     }
   }
   return true;
@@ -105,9 +108,10 @@ bool repeat_frames(Store& store, std::int64_t model, int sample, ForkServer& ser
   std::string hash;
   for (const StoredModel& one : store.models())
     if (one.id == model) hash = one.hash;
-  if (hash != model_hash("beam")) {
+  const engine* const built = engine_of_model(hash);
+  if (!built) {
     report += fmt::format("measured by another model, {}: this program, {}, cannot repeat it\n",
-                          hash, model_hash("beam"));
+                          hash, model_hash(engines().front()->name));
     return true;
   }
   std::map<std::int64_t, StoredScene> scenes;
@@ -142,6 +146,7 @@ bool repeat_frames(Store& store, std::int64_t model, int sample, ForkServer& ser
     names[block.number] = points[point].name.empty() ? "a point" : points[point].name;
     block.scene_name = scenes[scene].name;
     block.scene_hash = scenes[scene].hash;
+    block.k = built->standard(nullptr);
     if (!read_setting(points[point].setting, block.k, block.reference)) {
       report += names[block.number] + " has knobs that this program does not know\n";
       return false;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "tb/base/counted.h"
+#include "tb/scene/engines.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/schema.h"
 
@@ -20,11 +21,10 @@ constexpr const char* Scenes = "scenes";  // hashes, one a line
 std::string own_setting(const std::string& setting) {
   std::string own;
   for (const auto& [name, value] : setting_of(setting)) {
-    const auto& table = knob_table();
-    if (std::none_of(table.begin(), table.end(), [&name = name](const knob_info& row) {
-          return row.of_scene && row.name == name;
-        }))
-      own += name + "=" + value + "\n";
+    bool of_scene = false;
+    for (const engine* one : engines())
+      for (const knob_row& row : one->knobs) of_scene |= row.of_scene && row.name == name;
+    if (!of_scene) own += name + "=" + value + "\n";
   }
   return own;
 }

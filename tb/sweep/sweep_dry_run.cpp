@@ -54,7 +54,7 @@ int frames_there(const SweepPlan& plan, const std::string& path) {
   Store store(folder.store(), Access::Read);
   std::int64_t model = -1;
   for (const StoredModel& one : store.models())
-    if (one.hash == model_hash("beam")) model = one.id;
+    if (one.hash == model_hash(plan.file.built->name)) model = one.id;
   if (model < 0) return 0;
   const std::vector<StoredScene> scenes = store.scenes();
   const std::vector<StoredPoint> points = store.points();

@@ -29,11 +29,11 @@ const std::vector<std::string>& goal_words() {
 const std::vector<std::string>& reference_words() { return picture_reference_names(); }
 
 void narrow(SweepFile& file, const std::string& assignment) {
-  knobs k;
-  set_knob(k, assignment);
+  SweepPoint point{"", file.built->standard(nullptr)};
+  set_knob(point.k, assignment);
   const std::string name = assignment.substr(0, assignment.find('='));
-  const knob_info* row = swept_knob(name);
-  const KnobValues only{row, {k.*row->member}, true};
+  const knob_row* row = swept_knob(*file.built, name);
+  const KnobValues only{row, {point.value_of(*row)}, true};
   const auto at = std::find_if(file.knobs.begin(), file.knobs.end(),
                                [&](const KnobValues& one) { return one.row == row; });
   if (at != file.knobs.end()) *at = only;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tb/judge/picture_reference.h"
+#include "tb/scene/engines.h"
 #include "tb/scene/faults.h"
 #include "tb/sweep/goal.h"
 #include "tb/sweep/sweep_point.h"
@@ -18,7 +19,7 @@ namespace racebeam {
 
 /// The values of a knob that a search takes, each once, in the order of the file.
 struct KnobValues {
-  const knob_info* row;
+  const knob_row* row;
   std::vector<int> values;
   bool fixed = false;  ///< one value, no list: all points of the search have it
 };
@@ -63,7 +64,8 @@ struct SweepFile {
   std::vector<KnobValues> knobs{};
   std::string where{};  ///< what the knobs of a search must hold, or empty
   Place where_place{}, knobs_place{};
-  SweepPoint base{"chip", {}};
+  const engine* built = engines().front();  ///< who shows the scenes
+  SweepPoint base{"chip", built->standard(nullptr)};
   std::vector<SweepPoint> points{};  ///< named ones; what they do not set is as in base
   SweepSearch search{};
   std::vector<Goal> goals{};

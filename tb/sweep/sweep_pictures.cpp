@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "sc/base/constants.h"
 #include "tb/base/interrupt.h"
 #include "tb/picture/picture_format.h"
 #include "tb/sweep/export.h"
@@ -33,7 +32,8 @@ std::vector<Kept> asked(const SweepPlan& plan, const SweepState& state, int poin
   for (const int frame : measure.pictures)
     if (frame < of.show.frames()) all.push_back({frame, "", ""});
   if (measure.worst_picture) {
-    const PointReading errors = state.read(point, *figure_named("picture_error"), EveryFrame);
+    const PointReading errors =
+        state.read(point, *figure_named("picture_error", *plan.file.built), EveryFrame);
     const Worst worst = worst_of({errors.reading.frames[static_cast<std::size_t>(scene)]});
     if (worst.frames > 0) all.push_back({worst.frame, "worst", ""});
   }
@@ -44,10 +44,8 @@ std::vector<Kept> asked(const SweepPlan& plan, const SweepState& state, int poin
   return all;
 }
 
-std::string file_of(const std::string& packed_picture) {
-  const std::size_t size = std::size_t(VisibleColumns) * VisibleRows;
-  return picture_bytes(picture_formats().front(), unpacked_colours(packed_picture, size),
-                       VisibleColumns, VisibleRows);
+std::string file_of(const std::string& packed) {
+  return picture_bytes(picture_formats().front(), unpacked_picture(packed));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "tb/sweep/frame_order.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/row_digest.h"
+#include "tb/sweep/sweep_kinds.h"
 #include "tb/sweep/sweep_points.h"
 #include "tb/sweep/sweep_reader.h"
 
@@ -25,17 +26,19 @@ namespace {
 SweepNames sweep_names() {
   SweepNames names;
   for (const PointFigure& figure : figure_table())
-    names.figures.push_back({figure.name, figure.unit, figure.sampled(), figure.measure()});
+    names.figures.push_back(
+        {figure.name, figure.unit, figure.sampled(), figure.measure(), engines_with(figure)});
   names.scenes = scene_names();
   names.is_scene = [](const std::string& scene) {
     return scene == "demo" || std::filesystem::exists(scene_path(scene));
   };
+  names.engine_of = [](const std::string& scene) { return &open_show(scene).engine(); };
+  names.measures = [](const engine& built) { return sweep_kind(built).measures; };
   return names;
 }
 
 SweepScene open_scene(const std::string& name, const SweepFile& file, int& left_out) {
   SweepScene scene{name, open_show(name), {}};
-  expect_rooms(scene.show, "sweep");
   std::vector<int> allowed;
   for (int frame = 0; frame < scene.show.frames(); ++frame)
     if (!file.frames.skips(scene.show.part(frame))) allowed.push_back(frame);
@@ -47,7 +50,7 @@ SweepScene open_scene(const std::string& name, const SweepFile& file, int& left_
 }
 
 // Results of a point depend on its knobs and on what they are compared with.
-std::string setting(const knobs& k, const SweepFile& file, const knobs& base) {
+std::string setting(const knob_values& k, const SweepFile& file, const knob_values& base) {
   std::string text = point_text(k) + "reference=" +
                      reference_words()[static_cast<std::size_t>(file.measure.reference)] + "\n";
   if (file.measure.reference == SweepReference::Base)
@@ -57,7 +60,7 @@ std::string setting(const knobs& k, const SweepFile& file, const knobs& base) {
 
 SweepPlan plan(SweepResult read) {
   SweepPlan plan{std::move(read.file), std::move(read.text), {}, {}};
-  std::vector<knobs> standards;
+  std::vector<knob_values> standards;
   for (const std::string& name : plan.file.scenes) {
     plan.scenes.push_back(open_scene(name, plan.file, plan.left_out));
     standards.push_back(plan.scenes.back().show.standard_knobs());
@@ -67,7 +70,7 @@ SweepPlan plan(SweepResult read) {
   for (const SweepPoint& point : points.points) {
     PlannedPoint planned{point, {}, {}};
     for (std::size_t scene = 0; scene < standards.size(); ++scene) {
-      const knobs k = knobs_on(point, standards[scene]);
+      const knob_values k = knobs_on(point, standards[scene]);
       if (const std::string why = plan.scenes[scene].show.objection(k); !why.empty())
         objections.push_back(fmt::format("{} on {}: {}", point.name, plan.scenes[scene].name, why));
       planned.k.push_back(k);

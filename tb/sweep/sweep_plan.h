@@ -21,7 +21,7 @@ struct SweepScene {
 
 struct PlannedPoint {
   SweepPoint point;
-  std::vector<knobs> k;               ///< by scene
+  std::vector<knob_values> k;         ///< by scene
   std::vector<std::string> settings;  ///< by scene: what tells its results from others
 };
 

@@ -5,23 +5,35 @@
 #include <algorithm>
 #include <map>
 
+#include "tb/scene/engines.h"
+
 namespace racebeam {
 
-const knob_info* swept_knob(const std::string& name) {
-  for (const knob_info& row : knob_table())
+namespace {
+
+std::size_t place_of(const knob_row& row, const knob_values& k) {
+  return static_cast<std::size_t>(&row - k.rows().data());
+}
+
+}  // namespace
+
+const knob_row* swept_knob(const engine& of, const std::string& name) {
+  for (const knob_row& row : of.knobs)
     if (!row.of_scene && row.name == name) return &row;
   return nullptr;
 }
 
-std::vector<std::string> swept_knobs() {
+std::vector<std::string> swept_knobs(const engine& of) {
   std::vector<std::string> names;
-  for (const knob_info& row : knob_table())
+  for (const knob_row& row : of.knobs)
     if (!row.of_scene) names.emplace_back(row.name);
   return names;
 }
 
-void SweepPoint::set_knob(const knob_info& row, int value) {
-  k.*row.member = value;
+int SweepPoint::value_of(const knob_row& row) const { return k[place_of(row, k)]; }
+
+void SweepPoint::set_knob(const knob_row& row, int value) {
+  k[place_of(row, k)] = value;
   const auto at = std::lower_bound(set.begin(), set.end(), &row);
   if (at == set.end() || *at != &row) set.insert(at, &row);
 }
@@ -30,16 +42,16 @@ bool operator==(const SweepPoint& a, const SweepPoint& b) {
   return a.name == b.name && a.k == b.k && a.set == b.set;
 }
 
-knobs knobs_on(const SweepPoint& point, const knobs& standard) {
-  knobs k = standard;
-  for (const knob_info* row : point.set) k.*row->member = point.k.*row->member;
-  k.max_room_depth = k.room_depth_limit();
+knob_values knobs_on(const SweepPoint& point, const knob_values& standard) {
+  knob_values k = standard;
+  for (const knob_row* row : point.set) k[place_of(*row, k)] = point.value_of(*row);
+  engine_of(k).settle(k);
   return k;
 }
 
-std::string point_text(const knobs& k) {
+std::string point_text(const knob_values& k) {
   std::map<std::string, std::string> lines;
-  for (const knob_info& row : knob_table()) lines[row.name] = row.text(k.*row.member);
+  for (const knob_row& row : k.rows()) lines[row.name] = row.text(k[place_of(row, k)]);
   std::string text;
   for (const auto& [name, value] : lines) text += name + "=" + value + "\n";
   return text;

@@ -15,9 +15,9 @@ namespace {
 
 class PointMaker {
  public:
-  PointMaker(const SweepFile& file, const std::vector<knobs>& standards)
+  PointMaker(const SweepFile& file, const std::vector<knob_values>& standards)
       : file_(file), standards_(standards) {
-    if (!file.where.empty()) where_.emplace(file.where);
+    if (!file.where.empty()) where_.emplace(*file.built, file.where);
     add(file.base);
     for (const SweepPoint& point : file.points) add(point);
   }
@@ -40,15 +40,15 @@ class PointMaker {
   // All values on all scenes.
   std::vector<int> key_of(const SweepPoint& point) const {
     std::vector<int> key;
-    for (const knobs& standard : standards_) {
-      const knobs k = knobs_on(point, standard);
-      for (const knob_info& row : knob_table()) key.push_back(k.*row.member);
+    for (const knob_values& standard : standards_) {
+      const knob_values k = knobs_on(point, standard);
+      for (std::size_t row = 0; row < k.rows().size(); ++row) key.push_back(k[row]);
     }
     return key;
   }
 
   void keep(SweepPoint point) {
-    point.k.max_room_depth = point.k.room_depth_limit();
+    file_.built->settle(point.k);
     made_.points.push_back(std::move(point));
   }
 
@@ -128,7 +128,7 @@ class PointMaker {
   }
 
   const SweepFile& file_;
-  const std::vector<knobs>& standards_;
+  const std::vector<knob_values>& standards_;
   std::optional<KnobCondition> where_;
   std::map<std::vector<int>, Known> known_;
   SweepPoints made_{};
@@ -142,8 +142,12 @@ double grid_points(const SweepFile& file) {
   return count;
 }
 
-SweepPoints sweep_points(const SweepFile& file, const std::vector<knobs>& standards) {
+SweepPoints sweep_points(const SweepFile& file, const std::vector<knob_values>& standards) {
   return PointMaker(file, standards).make();
+}
+
+SweepPoints sweep_points(const SweepFile& file) {
+  return sweep_points(file, {file.built->standard(nullptr)});
 }
 
 }  // namespace racebeam

@@ -37,6 +37,9 @@ double grid_points(const SweepFile& file);
 /// The points of a file without faults. Two are the same if they are so on each scene:
 /// `standards` are their Show::standard_knobs(). Sobol's sequence ends early if 10,000 of it in a
 /// row bring no new point.
-SweepPoints sweep_points(const SweepFile& file, const std::vector<knobs>& standards = {knobs{}});
+SweepPoints sweep_points(const SweepFile& file, const std::vector<knob_values>& standards);
+
+/// On what its engine has built in.
+SweepPoints sweep_points(const SweepFile& file);
 
 }  // namespace racebeam

@@ -44,6 +44,39 @@ void read_scenes(const TomlNode& node, const SweepNames& names, std::vector<std:
   }
 }
 
+// Whose knobs and figures the file may name. Scenes are opened only for that.
+void read_engine(const TomlNode* node, const SweepNames& names, SweepFile& file, Faults& faults) {
+  if (!names.engine_of || !faults.none()) return;
+  std::vector<const engine*> built;
+  for (const std::string& scene : file.scenes) built.push_back(names.engine_of(scene));
+  for (std::size_t at = 0; at < built.size(); ++at)
+    if (built[at] != built.front())
+      faults.add(
+          node->items[at].place,
+          fmt::format("scene {} is for {}, and {} is for {}", racebeam::quoted(file.scenes[at]),
+                      built[at]->name, racebeam::quoted(file.scenes.front()), built.front()->name),
+          "points are settings of one engine: write a sweep for each");
+  file.built = built.front();
+  file.base = {"chip", file.built->standard(nullptr)};
+}
+
+void check_measure(const TableReader& table, const SweepNames& names, const engine& built,
+                   const SweepMeasure& measure, Faults& faults) {
+  if (!names.measures) return;
+  const EngineMeasures kind = names.measures(built);
+  const auto refuse = [&](const char* key, const std::string& why, const std::string& help) {
+    if (const TomlNode* node = table.find(key)) faults.add(node->place, why, help);
+  };
+  if (measure.causes && !kind.causes)
+    refuse("causes", fmt::format("errors of {} have no causes", built.name),
+           "leave it out: the figures picture_error and error.levels say how many there are");
+  if (measure.reference > kind.reference)
+    refuse("reference",
+           fmt::format("pictures of {} are not compared with {}", built.name,
+                       reference_words()[static_cast<std::size_t>(measure.reference)]),
+           "leave it out: they are compared with its golden tracer");
+}
+
 void read_search(const TomlNode& node, SweepSearch& search, Faults& faults) {
   const TableReader table(node, "search", faults, sweep_keys());
   int number = 0;
@@ -73,7 +106,8 @@ void read_pictures(const TomlNode& node, SweepMeasure& measure, Faults& faults) 
   }
 }
 
-void read_measure(const TomlNode& node, SweepMeasure& measure, Faults& faults) {
+void read_measure(const TomlNode& node, const SweepNames& names, const engine& built,
+                  SweepMeasure& measure, Faults& faults) {
   const TableReader table(node, "measure", faults, sweep_keys());
   int number = 0;
   table.read("causes", measure.causes);
@@ -82,6 +116,17 @@ void read_measure(const TomlNode& node, SweepMeasure& measure, Faults& faults) {
   if (const TomlNode* pictures = table.find("pictures")) read_pictures(*pictures, measure, faults);
   if (table.read_choice("reference", reference_words(), number))
     measure.reference = static_cast<SweepReference>(number);
+  check_measure(table, names, built, measure, faults);
+}
+
+// Those of an engine; one of another engine is told from one that nobody has.
+std::vector<SweepFigure> figures_of(const SweepNames& names, const engine& built) {
+  std::vector<SweepFigure> figures = names.figures;
+  for (SweepFigure& figure : figures)
+    figure.foreign =
+        !figure.engines.empty() &&
+        std::find(figure.engines.begin(), figure.engines.end(), &built) == figure.engines.end();
+  return figures;
 }
 
 // Of a file without faults.
@@ -112,14 +157,16 @@ SweepResult read_sweep(std::string_view text, const std::string& name, const Swe
   const TableReader top(*root, "", faults, sweep_keys());
   top.read("name", file.name);
   if (const TomlNode* node = top.find("scenes")) read_scenes(*node, names, file.scenes, faults);
-  if (const TomlNode* node = top.find("frames"))
-    read_frames(*node, names.figures, file.frames, faults);
+  read_engine(top.find("scenes"), names, file, faults);
+  const std::vector<SweepFigure> figures = figures_of(names, *file.built);
+  if (const TomlNode* node = top.find("frames")) read_frames(*node, figures, file.frames, faults);
   if (const TomlNode* node = top.find("knobs")) read_swept_knobs(*node, file, faults);
   read_points(top.find("base"), top.find("point"), file, faults);
   if (const TomlNode* node = top.find("search")) read_search(*node, file.search, faults);
-  if (const TomlNode* node = top.find("measure")) read_measure(*node, file.measure, faults);
+  if (const TomlNode* node = top.find("measure"))
+    read_measure(*node, names, *file.built, file.measure, faults);
   if (const TomlNode* node = top.find("goals"))
-    file.goals = read_goals(*node, names.figures, file.measure, faults);
+    file.goals = read_goals(*node, figures, file.measure, faults);
   if (!faults.none()) return result;
   for (const std::string& assignment : narrowed) narrow(file, assignment);
   check_points(file, faults);

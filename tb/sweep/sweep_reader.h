@@ -15,11 +15,20 @@
 
 namespace racebeam {
 
+/// What [measure] may ask of an engine.
+struct EngineMeasures {
+  bool causes;               ///< errors by cause
+  SweepReference reference;  ///< the last that its pictures are compared with
+};
+
 /// What a sweep file may name beside knobs.
 struct SweepNames {
   std::vector<SweepFigure> figures;
   std::vector<std::string> scenes;                   ///< the project's, for advice
   std::function<bool(const std::string&)> is_scene;  ///< whether there is one of this name or path
+  /// Who shows it; empty: the first engine shows all.
+  std::function<const engine*(const std::string&)> engine_of{};
+  std::function<EngineMeasures(const engine&)> measures{};  ///< empty: all of it
 };
 
 struct SweepResult {

@@ -35,7 +35,8 @@ namespace {
 /// What the last run of a folder has found: who asks the same again gets it without a look at all
 /// frames.
 struct Found {
-  explicit Found(const SweepPlan& plan) : key(plan.key() + model_hash("beam") + "\n") {}
+  explicit Found(const SweepPlan& plan)
+      : key(plan.key() + model_hash(plan.file.built->name) + "\n") {}
 
   const std::string key;
 

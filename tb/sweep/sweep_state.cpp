@@ -92,7 +92,8 @@ std::vector<Candidate> SweepState::candidates(const std::vector<int>& points, in
     candidate.name = plan_.points[static_cast<std::size_t>(point)].point.name;
     candidate.base = point == 0;
     for (const Goal& goal : plan_.file.goals) {
-      const PointReading read = this->read(point, *figure_named(goal.figure), frames);
+      const PointReading read =
+          this->read(point, *figure_named(goal.figure, *plan_.file.built), frames);
       candidate.readings.push_back(read.reading);
     }
     all.push_back(std::move(candidate));
@@ -127,7 +128,7 @@ std::vector<StoppedPoint> SweepState::stops() const {
 bool SweepState::wide(int frames) const {
   for (const auto& [name, percent] : plan_.file.frames.until)
     for (const int point : running()) {
-      const PointReading read = this->read(point, *figure_named(name), frames);
+      const PointReading read = this->read(point, *figure_named(name, *plan_.file.built), frames);
       const Estimate mean = mean_of(read.reading.frames);
       if (!mean.all() && mean.half_width > percent / 100 * std::abs(mean.value)) return true;
     }

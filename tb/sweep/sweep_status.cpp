@@ -11,12 +11,12 @@
 #include "tb/base/output_file.h"
 #include "tb/sweep/export.h"
 #include "tb/sweep/interval_text.h"
-#include "tb/sweep/model_hash.h"
 #include "tb/sweep/store.h"
 #include "tb/sweep/store_check.h"
 #include "tb/sweep/stored_frames.h"
 #include "tb/sweep/sweep_changes.h"
 #include "tb/sweep/sweep_folder.h"
+#include "tb/sweep/sweep_kinds.h"
 #include "tb/sweep/worker.h"
 
 namespace racebeam {
@@ -37,12 +37,12 @@ struct BegunFolder : SweepFolder {
   }
 };
 
-// This program's model, or else the last one; 0: there is none yet.
+// A model of this program, or else the last one; 0: there is none yet.
 std::int64_t model_of(Store& store) {
   std::int64_t model = 0;
   for (const StoredModel& one : store.models()) {
     model = one.id;
-    if (one.hash == model_hash("beam")) break;
+    if (engine_of_model(one.hash)) break;
   }
   return model;
 }

@@ -10,6 +10,7 @@
 #include "tb/base/counted.h"
 #include "tb/sweep/figures.h"
 #include "tb/sweep/interval_text.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 
@@ -31,12 +32,12 @@ const char* standing_word(Verdict::Standing standing) {
 std::vector<const PointFigure*> shown_figures(const SweepPlan& plan) {
   std::vector<const PointFigure*> figures;
   const auto add = [&](const std::string& name) {
-    const PointFigure* figure = figure_named(name);
+    const PointFigure* figure = figure_named(name, *plan.file.built);
     if (std::find(figures.begin(), figures.end(), figure) == figures.end())
       figures.push_back(figure);
   };
   for (const Goal& goal : plan.file.goals) add(goal.figure);
-  for (const char* name : {"picture_error", "starved", "busy.max"}) add(name);
+  for (const char* name : sweep_kind(*plan.file.built).shown) add(name);
   if (plan.file.measure.silicon) add("cells");
   return figures;
 }
@@ -133,7 +134,8 @@ class Summary {
     for (const PointFigure* figure : figures_) rows[0].push_back(figure->name);
     for (const std::size_t candidate : rows_) {
       const int point = all_.points[candidate];
-      const PointReading any = state_.read(point, *figure_named("busy"), frames_);
+      const PointReading any =
+          state_.read(point, *figure_named("picture_error", *plan_.file.built), frames_);
       std::size_t frames = 0;
       for (const Stratum& stratum : strata_of(any, scene)) frames += stratum.frames.size();
       Row row = {plan_.file.goals.empty() ? "" : standing_word(all_.verdicts[candidate].standing),
@@ -160,7 +162,7 @@ class Summary {
   std::string best() const {
     const std::vector<Goal>& goals = plan_.file.goals;
     for (std::size_t n = 0; n < goals.size(); ++n) {
-      const PointFigure& figure = *figure_named(goals[n].figure);
+      const PointFigure& figure = *figure_named(goals[n].figure, *plan_.file.built);
       if (goals[n].kind == GoalKind::Limit || !figure.sampled()) continue;
       const double sign = goals[n].kind == GoalKind::Max ? -1 : 1;
       std::size_t best = 0;
@@ -223,9 +225,9 @@ std::string setting_words(const SweepPlan& plan, int point) {
   const SweepPoint& base = plan.points.front().point;
   const SweepPoint& of = plan.points[static_cast<std::size_t>(point)].point;
   std::string text;
-  for (const knob_info* row : of.set) {
-    if (point != 0 && of.k.*row->member == base.k.*row->member) continue;
-    text += (text.empty() ? "" : " ") + std::string(row->name) + "=" + row->text(of.k.*row->member);
+  for (const knob_row* row : of.set) {
+    if (point != 0 && of.value_of(*row) == base.value_of(*row)) continue;
+    text += (text.empty() ? "" : " ") + std::string(row->name) + "=" + row->text(of.value_of(*row));
   }
   return text;
 }

@@ -134,12 +134,6 @@ TEST_F(CliSphereTest, WhatItDoesNotHaveIsRefused) {
               HasSubstr("four is a scene for sphere; --engine sphere or leave --engine out"));
   EXPECT_THAT(refused({"scene", "plan", four, "-o", "a.png"}),
               HasSubstr("scene plan is for scenes of box rooms; four is a scene for sphere"));
-  std::ofstream(folder / "a.toml") << "scenes = [\"" + four + "\"]\n[knobs]\ndivide_clocks = [5]\n";
-  EXPECT_THAT(refused({"sweep", "run", "a.toml", "-o", "a"}),
-              HasSubstr("a.toml:3:1: knob 'divide_clocks' is one of sphere"));
-  std::ofstream(folder / "b.toml") << "scenes = [\"" + four + "\"]\n[knobs]\ndr_bits = [9]\n";
-  EXPECT_THAT(refused({"sweep", "run", "b.toml", "-o", "b"}),
-              HasSubstr("sweep is for scenes of box rooms; four is a scene for sphere"));
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST_F(CliSweepLevels, DigestsAreThoseOfTheChipOfSignals) {
     const ChipBench::Frame rendered = bench.render();
     const GoldenPicture& colours = rendered.picture.colours;
     const GoldenPicture right = reference.picture(frame);
-    const FrameErrors errors{golden_difference(colours, right), visible_difference(colours, right)};
+    const std::vector<std::int64_t> errors{golden_difference(colours, right),
+                                           visible_difference(colours, right)};
     const auto values = column_values(show.engine(), *rendered.stats, errors, colours);
     EXPECT_EQ(row.at("digest"), fmt::format("{:016x}", frame_digest(frame, values))) << frame;
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sc/beam/knobs.h"
 #include "tb/base/console.h"
 #include "tb/scene/engines.h"
 #include "tb/sweep/sweep_points.h"
@@ -20,10 +21,45 @@
 void racebeam::tell(std::string_view) {}
 
 // It names those of other engines: there are none.
-const std::vector<const racebeam::engine*>& racebeam::engines() {
-  static const std::vector<const engine*> none;
-  return none;
+namespace {
+
+/// The interval tracer without its chip.
+const racebeam::engine& knobs_only() {
+  using namespace racebeam;
+  static const std::vector<unit_row> no_units;
+  static const engine row = {"beam",
+                             "",
+                             {"tlm"},
+                             "",
+                             true,
+                             no_units,
+                             knob_rows(),
+                             {},
+                             {},
+                             {},
+                             {},
+                             [](const scene_tables*) { return knob_values(knobs()); },
+                             [](knob_values& values) {
+                               knobs k = values;
+                               k.max_room_depth = k.room_depth_limit();
+                               values = k;
+                               return std::string();
+                             },
+                             nullptr,
+                             nullptr,
+                             nullptr,
+                             nullptr};
+  return row;
 }
+
+}  // namespace
+
+const std::vector<const racebeam::engine*>& racebeam::engines() {
+  static const std::vector<const engine*> table = {&knobs_only()};
+  return table;
+}
+
+const racebeam::engine& racebeam::engine_of(const knob_values&) { return knobs_only(); }
 
 namespace {
 
@@ -58,7 +94,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check(texts.insert(point_text(point.k)).second);
     check(names_seen.insert(point.name).second);
     for (const knob_info& row : knob_table())
-      check(point.k.*row.member >= row.min && point.k.*row.member <= row.max);
+      check(point.k.of(row.name) >= row.min && point.k.of(row.name) <= row.max);
   }
   check(file.search.method == SearchMethod::OneByOne || points.of_search <= grid_points(file));
   return 0;

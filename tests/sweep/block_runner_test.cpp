@@ -12,6 +12,7 @@
 
 #include <map>
 
+#include "sc/beam/knobs.h"
 #include "tb/base/forked.h"
 #include "tb/sweep/row_digest.h"
 #include "tests/support/scratch_folder.h"
@@ -166,9 +167,12 @@ TEST(Block, RequestsAndAnswersCrossAPipe) {
   Block block;
   block.number = 17;
   block.scene_name = "house";
-  block.k.hurry_threshold = -1;
+  knobs k;
+  k.hurry_threshold = -1;
+  block.k = k;
   block.frames = {5, 700};
-  block.base.fifo_entries = 5;
+  k.fifo_entries = 5;
+  block.base = k;
   block.kept[700] = {std::string("\0\xff\n", 3), "end", {"", std::string("\0", 1)}};
   block.reference = SweepReference::Trace4;
   const Block same = block_of(request_text(block));

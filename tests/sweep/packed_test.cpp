@@ -58,5 +58,19 @@ TEST(Packed, DamagedPicturesAreRefused) {
                  std::runtime_error);
 }
 
+TEST(Packed, APictureKeepsItsSizeAndDepth) {
+  PackedPicture picture{3, 2, 5, {}};
+  for (std::uint32_t n = 0; n < 6; ++n) picture.push(n * 5000);
+  const std::string bytes = packed_picture(picture);
+  const PackedPicture again = unpacked_picture(bytes);
+  EXPECT_EQ(again.width, 3);
+  EXPECT_EQ(again.height, 2);
+  EXPECT_EQ(again.bits, 5);
+  EXPECT_EQ(again.colours, picture.colours);
+  for (const std::string& bad : std::vector<std::string>{
+           "", "3 2", "9" + bytes, "0 2 5 x", "3 2 11 x", bytes.substr(0, bytes.size() - 2)})
+    EXPECT_THROW(unpacked_picture(bad), std::runtime_error) << bad;
+}
+
 }  // namespace
 }  // namespace racebeam

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sc/beam/engine.h"
+#include "sc/beam/knobs.h"
 #include "sc/swap/rtl_parameters.h"
 #include "tb/sweep/silicon_plan.h"
 #include "tb/sweep/sweep_points.h"
@@ -18,7 +19,8 @@ constexpr int UnitsOfTheChip = 11;  // without the sound
 
 SweepFile sweep_of(const std::vector<std::pair<std::string, std::vector<int>>>& values) {
   SweepFile file;
-  for (const auto& [name, list] : values) file.knobs.push_back({swept_knob(name), list});
+  for (const auto& [name, list] : values)
+    file.knobs.push_back({swept_knob(beam_engine(), name), list});
   return file;
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "sc/beam/engine.h"
+#include "sc/beam/knobs.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/sweep/silicon_plan.h"

@@ -14,9 +14,12 @@
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knob_parameters.h"
+#include "sc/beam/knobs.h"
+#include "sc/sphere/engine.h"
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
+#include "tb/sweep/sweep_point.h"
 #include "tb/sweep/unit_sources.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tests/support/fake_yosys.h"
@@ -126,6 +129,24 @@ TEST(SiliconTest, AKnobChangesTheUnitsThatHaveItAlone) {
       EXPECT_THROW(silicon.units_of(k), NoSilicon) << row.name;
     else EXPECT_EQ(differing(chip, hashes(silicon, k)), units) << row.name;
   }
+}
+
+TEST(SiliconTest, SphereKnobsChangeTheirUnitsAndTheHostNone) {
+  const engine& sphere = sphere_engine();
+  const Silicon silicon(sphere);
+  const auto with = [&](const char* name, int value) {
+    SweepPoint point{"", sphere.standard(nullptr)};
+    point.set_knob(*swept_knob(sphere, name), value);
+    std::map<std::string, std::string> hashes;
+    for (const UnitParameters& unit : silicon.units_of(point.k)) hashes[unit.unit] = unit.hash;
+    return hashes;
+  };
+  const auto chip = with("write_buffer_depth", 64);
+  EXPECT_EQ(chip.size(), sphere.unit_names(false).size());
+  EXPECT_EQ(differing(chip, with("write_buffer_depth", 8)), std::set<std::string>{"write_buffer"});
+  EXPECT_EQ(differing(chip, with("root_bits_per_clock", 2)), std::set<std::string>{"root_unit"});
+  for (const char* name : {"host_clocks_per_word", "capture_guard"})
+    EXPECT_EQ(with(name, 1), chip) << name;
 }
 
 TEST(SiliconTest, AKnobOfTheModelOnlyHasNone) {

@@ -9,10 +9,12 @@
 
 #include "sc/beam/engine.h"
 #include "sc/beam/frame_stats.h"
+#include "sc/sphere/engine.h"
 #include "tb/base/errors.h"
 #include "tb/judge/error_causes.h"
 #include "tb/sweep/columns.h"
 #include "tb/sweep/figures.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 namespace {
@@ -38,14 +40,17 @@ double value_of(const char* figure, const std::map<std::string, std::int64_t>& v
   return FigureReader(*figure_named(figure), rows.columns).value(rows.row);
 }
 
-TEST(FiguresTest, NamesAreUniqueAndExplained) {
-  std::set<std::string> names;
+TEST(FiguresTest, NamesAreUniqueToAnEngineAndExplained) {
+  std::set<std::pair<const engine*, std::string>> names;
   for (const PointFigure& figure : figure_table()) {
-    EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
+    for (const engine* one : engines_with(figure)) {
+      EXPECT_TRUE(names.emplace(one, figure.name).second) << figure.name << " of " << one->name;
+      EXPECT_EQ(figure_named(figure.name, *one), &figure);
+    }
     EXPECT_STRNE(figure.unit, "") << figure.name;
     EXPECT_NE(figure.meaning, "") << figure.name;
     EXPECT_EQ(figure.terms.empty(), figure.kind == PointFigure::Exact) << figure.name;
-    EXPECT_EQ(figure_named(figure.name), &figure);
+    EXPECT_NE(figure_named(figure.name), nullptr);
   }
   EXPECT_EQ(figure_named("errors"), nullptr);
 }
@@ -114,9 +119,15 @@ TEST(FiguresTest, EveryCauseOfAnErrorIsAFigure) {
 }
 
 TEST(FiguresTest, AllFiguresOfFramesAreKept) {
-  const std::vector<std::string> columns = sweep_columns(beam_engine());
   for (const PointFigure& figure : figure_table())
-    EXPECT_TRUE(figure.of_cause || !figure.missing(columns)) << figure.name;
+    EXPECT_FALSE(engines_with(figure).empty()) << figure.name;
+}
+
+TEST(FiguresTest, AnEngineHasFiguresOfItsOwn) {
+  EXPECT_EQ(figure_named("starved", sphere_engine()), nullptr);
+  EXPECT_EQ(figure_named("stalls", beam_engine()), nullptr);
+  EXPECT_NE(figure_named("picture_error", sphere_engine()),
+            figure_named("picture_error", beam_engine()));
 }
 
 TEST(FiguresTest, PartsOfALineAddUpToIt) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/beam/engine.h"
 #include "tb/base/errors.h"
 #include "tb/sweep/starter_sweep.h"
 #include "tb/sweep/sweep_keys.h"
@@ -40,7 +41,7 @@ TEST(SweepFileTest, AnEmptyFileIsTheChipOnTheDemo) {
   EXPECT_THAT(file.goals, IsEmpty());
   EXPECT_FALSE(file.measure.causes || file.measure.silicon || file.measure.worst_picture);
   EXPECT_EQ(file.measure.reference, SweepReference::Geometry);
-  EXPECT_EQ(file.base, (SweepPoint{"chip", {}}));
+  EXPECT_EQ(file.base, (SweepPoint{"chip", knobs()}));
   EXPECT_THAT(told(sweep_points(file)), ElementsAre("chip"));
 }
 
@@ -63,8 +64,8 @@ TEST(SweepFileTest, AValueGivenTwiceCountsOnceAndIsWarnedOf) {
 }
 
 TEST(SweepFileTest, EveryKnobOfTheTableCanBeSwept) {
-  for (const std::string& name : swept_knobs()) {
-    const knob_info& row = *swept_knob(name);
+  for (const std::string& name : swept_knobs(beam_engine())) {
+    const knob_row& row = *swept_knob(beam_engine(), name);
     const std::string quote = row.names.empty() ? "" : "\"";
     const auto text = [&](int value) { return quote + row.text(value) + quote; };
     const SweepFile file =
@@ -208,7 +209,7 @@ TEST(SweepNarrowTest, APointOfSobolKeepsItsOtherKnobs) {
       "search = { method = \"sobol\", points = 1 }\n";
   knobs whole = sweep_points(sweep(text)).points.at(1).k;
   whole.dr_bits = 13;
-  EXPECT_EQ(sweep_points(sweep(text, {"dr_bits=13"})).points.at(1).k, whole);
+  EXPECT_EQ(sweep_points(sweep(text, {"dr_bits=13"})).points.at(1).k, knob_values(whole));
 }
 
 TEST(SweepNarrowTest, MayMakeAGridSmallEnoughOrLeaveNothing) {

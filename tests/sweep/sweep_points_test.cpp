@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/beam/engine.h"
 #include "tb/show/set_knob.h"
 #include "tests/sweep/sweep_text.h"
 
@@ -120,9 +121,9 @@ TEST(SweepPointsTest, AKnobThatASceneBringsIsSetOnlyIfTheSweepDoes) {
   EXPECT_THAT(told(sweep_points(file)), ElementsAre("chip", "p2 corner_bits=11"));
   const SweepPoints points = sweep_points(file, {knobs{}, wide});
   EXPECT_THAT(told(points), ElementsAre("chip", "p1", "p2 corner_bits=11"));
-  EXPECT_EQ(knobs_on(points.points[0], wide), wide);
-  EXPECT_EQ(knobs_on(points.points[1], wide).corner_bits, 12);
-  EXPECT_EQ(knobs_on(points.points[1], wide).portals_per_face, 2);
+  EXPECT_EQ(knobs(knobs_on(points.points[0], wide)), wide);
+  EXPECT_EQ(knobs(knobs_on(points.points[1], wide)).corner_bits, 12);
+  EXPECT_EQ(knobs(knobs_on(points.points[1], wide)).portals_per_face, 2);
 }
 
 TEST(SobolPointsTest, MorePointsGoOnWithTheSequence) {
@@ -140,7 +141,7 @@ TEST(SobolPointsTest, SixtyFourTakeEachValueAboutEquallyOften) {
   for (const KnobValues& knob : file.knobs) {
     std::map<int, int> counts;
     for (const SweepPoint& point : points.points)
-      if (point.name[0] == 'p') ++counts[point.k.*knob.row->member];
+      if (point.name[0] == 'p') ++counts[point.value_of(*knob.row)];
     const int fair = 64 / static_cast<int>(knob.values.size());
     ASSERT_EQ(counts.size(), knob.values.size()) << knob.row->name;
     for (const auto& [value, count] : counts)
@@ -177,13 +178,14 @@ TEST(SobolPointsTest, WhereIsHeldAndThePointsAreAsManyAsWanted) {
   EXPECT_EQ(points.of_search, 20);
   EXPECT_GT(points.refused, 20);
   for (const SweepPoint& point : points.points)
-    EXPECT_TRUE(point.name == "chip" || point.k.fifo_entries * point.k.dr_bits < 100) << point.name;
+    EXPECT_TRUE(point.name == "chip" || point.k.of("fifo_entries") * point.k.of("dr_bits") < 100)
+        << point.name;
 }
 
 TEST(SobolPointsTest, AllKnobsOfTheTableAreEnough) {
   std::string text = "[knobs]\n";
-  for (const std::string& name : swept_knobs()) {
-    const knob_info& row = *swept_knob(name);
+  for (const std::string& name : swept_knobs(beam_engine())) {
+    const knob_row& row = *swept_knob(beam_engine(), name);
     if (row.names.empty())
       text += name + " = { from = " + std::to_string(row.min) +
               ", to = " + std::to_string(row.max) + " }\n";
@@ -193,8 +195,8 @@ TEST(SobolPointsTest, AllKnobsOfTheTableAreEnough) {
   EXPECT_EQ(points.of_search, 256);
   for (const SweepPoint& point : points.points)
     for (const knob_info& row : knob_table()) {
-      EXPECT_GE(point.k.*row.member, row.min) << row.name;
-      EXPECT_LE(point.k.*row.member, row.max) << row.name;
+      EXPECT_GE(point.k.of(row.name), row.min) << row.name;
+      EXPECT_LE(point.k.of(row.name), row.max) << row.name;
     }
 }
 
@@ -208,7 +210,7 @@ TEST(SweepPointTextTest, HasEveryKnobAndReadsBack) {
     const std::string line = text.substr(0, text.find('\n')), name = line.substr(0, line.find('='));
     EXPECT_LT(last, name) << "sorted";
     last = name;
-    if (swept_knob(name)) set_knob(back, line);
+    if (swept_knob(beam_engine(), name)) set_knob(back, line);
   }
   EXPECT_EQ(lines, knob_table().size());
   for (const knob_info& row : knob_table())
@@ -219,9 +221,9 @@ TEST(SweepPointTextTest, TellsAnyTwoSettingsApart) {
   for (const knob_info& row : knob_table()) {
     knobs k;
     k.*row.member = k.*row.member == row.max ? row.min : row.max;
-    EXPECT_NE(point_text(k), point_text({})) << row.name;
+    EXPECT_NE(point_text(k), point_text(knobs())) << row.name;
   }
-  EXPECT_THAT(point_text({}), testing::StartsWith("bisection=pow2\ncamera_cosine=parabola\n"));
+  EXPECT_THAT(point_text(knobs()), testing::StartsWith("bisection=pow2\ncamera_cosine=parabola\n"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/beam/knobs.h"
 #include "tb/sweep/sweep_points.h"
 #include "tb/sweep/sweep_reader.h"
 
@@ -61,8 +62,8 @@ inline SweepFile sweep(const std::string& text, const std::vector<std::string>& 
 inline std::string told(const SweepPoint& point) {
   std::string text = point.name;
   for (const knob_info& row : knob_table())
-    if (point.k.*row.member != knobs{}.*row.member)
-      text += " " + std::string(row.name) + "=" + row.text(point.k.*row.member);
+    if (const int value = point.k.of(row.name); value != knobs{}.*row.member)
+      text += " " + std::string(row.name) + "=" + row.text(value);
   return text;
 }
 
