@@ -23,6 +23,7 @@
 #include "tb/speed/engine_rows.h"
 #include "tb/speed/host_rows.h"
 #include "tb/speed/own_process.h"
+#include "tb/speed/sphere_rows.h"
 #include "tb/speed/store_rows.h"
 #include "tb/speed/sweep_rows.h"
 #include "tb/twin/unit_bench.h"
@@ -97,7 +98,7 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
 
 // Groups of rows, which may be asked for as a unit may.
 constexpr const char *Levels = "levels", *Engines = "engines", *Traces = "traces", *Mixes = "mixes",
-                     *Host = "host", *Store = "store";
+                     *Host = "host", *Store = "store", *Spheres = "spheres";
 constexpr const char* Sweep = "sweep";  // only if it is asked for: it takes minutes
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
@@ -181,7 +182,7 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 std::vector<std::string> bench_rows() {
-  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Host, Store, Sweep};
+  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Host, Store, Spheres, Sweep};
   for (const std::string& part : sweep_parts()) rows.push_back(sweep_name(part));
   for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
   return rows;
@@ -250,6 +251,11 @@ int command_bench(const BenchOptions& options) {
     store = store_rows();
     if (!options.json) print(store_tables(store));
   }
+  Json spheres;
+  if (wanted(Spheres)) {
+    spheres = sphere_rows();
+    if (!options.json) print(sphere_text(spheres));
+  }
   for (const std::string& part : sweep_parts())
     if (!options.rows.empty() && (wanted(Sweep) || wanted(sweep_name(part))))
       run_sweeps(part, options.repeats, options.json, all);
@@ -261,6 +267,7 @@ int command_bench(const BenchOptions& options) {
                 {"medians", all}};
     if (wanted(Levels)) report["slowest_tlm"] = worst;
     if (wanted(Store)) report["store"] = store;
+    if (wanted(Spheres)) report["spheres"] = spheres;
     print(report.dump(2) + "\n");
   }
   return ExitGood;
@@ -270,10 +277,10 @@ namespace {
 
 void add_options(const CommandOptions& command, BenchOptions& options) {
   command
-      .add_option(
-          "row", options.rows,
-          "Only these: levels, engines, traces, mixes, host, store, sweep, a part of it such "
-          "as sweep-causes, or units; sweep takes minutes and is run only if it is named")
+      .add_option("row", options.rows,
+                  "Only these: levels, engines, traces, mixes, host, store, spheres, sweep, a part "
+                  "of it such "
+                  "as sweep-causes, or units; sweep takes minutes and is run only if it is named")
       .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))

@@ -54,6 +54,26 @@ TEST(CliBench, StoreHasEachRowAsJson) {
   }
 }
 
+// The design of the engine measured this on its model.
+TEST(CliBench, EachSphereOfARingCostsAboutAsMuch) {
+  const std::vector<std::pair<int, double>> design = {{1, 23.17},  {2, 27.29}, {4, 35.62},
+                                                      {6, 43.99},  {8, 52.49}, {10, 61.07},
+                                                      {12, 69.54}, {15, 82.49}};
+  const auto rows = nlohmann::json::parse(output({"bench", "spheres", "--json"})).at("spheres");
+  ASSERT_EQ(rows.size(), design.size());
+  for (std::size_t n = 0; n < design.size(); ++n) {
+    const double clocks = rows[n].at("clocks_per_pixel");
+    EXPECT_EQ(rows[n].at("spheres"), design[n].first);
+    EXPECT_NEAR(clocks, design[n].second, 0.005 * design[n].second);
+    EXPECT_NEAR(clocks, 19 + 4.2 * design[n].first, 0.6) << "a straight line";
+  }
+}
+
+TEST(CliBench, SpheresAreATableThatThePageHas) {
+  EXPECT_THAT(read_file(RACEBEAM_SOURCE_DIR "/docs/sphere.md"),
+              testing::HasSubstr("\n\n" + output({"bench", "spheres"}) + "\n"));
+}
+
 TEST(CliBench, EnginesAreComparedAtEachLevelWithTheFirst) {
   const auto report =
       nlohmann::json::parse(output({"bench", "engines", "--repeat", "1", "--json"}));
