@@ -163,8 +163,10 @@ struct axes {
 template <int Bits>
 struct axes_in : axes<in_port<Bits>> {
   using axes<in_port<Bits>>::axes;
+  static_assert(Bits <= 32, "an axis is an int");
   vec3 signed_value() const {
-    return {this->x.signed_value(), this->y.signed_value(), this->z.signed_value()};
+    return {static_cast<int>(this->x.signed_value()), static_cast<int>(this->y.signed_value()),
+            static_cast<int>(this->z.signed_value())};
   }
 };
 
@@ -172,9 +174,9 @@ template <int Bits>
 struct axes_out : axes<out_port<Bits>> {
   using axes<out_port<Bits>>::axes;
   void drive(const vec3& v) {
-    this->x.drive(v[0]);
-    this->y.drive(v[1]);
-    this->z.drive(v[2]);
+    this->x.drive(static_cast<raw_value<Bits>>(v[0]));
+    this->y.drive(static_cast<raw_value<Bits>>(v[1]));
+    this->z.drive(static_cast<raw_value<Bits>>(v[2]));
   }
 };
 

@@ -1,0 +1,65 @@
+// Widths, states and fields of the block renderer, the same in rtl/block/block_pkg.sv.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace racebeam {
+
+// Numbers: signed 12.20.
+constexpr int BlockBits = 32;
+constexpr int BlockFraction = 20;
+constexpr int BlockRootBits = 23;      // what block_root takes the root of, and the root
+constexpr int BlockDistanceBits = 33;  // the discriminant
+constexpr int BlockFar = 2047;         // whole units: nothing is hit there or beyond
+
+// Spheres.
+constexpr int BlockEntries = 64;
+constexpr int BlockIndexBits = 6;
+constexpr int BlockCountBits = 7;
+constexpr int BlockFieldBits = 4;
+
+// Picture, cores and store.
+constexpr int BlockSide = 16;  // pixels of a block
+constexpr int BlockPlaceBits = 11;
+constexpr int BlockCores = 64;
+constexpr int BlockStateBits = 4;
+
+/// Where block_core is.
+enum block_state {
+  BlockIdle = 0,
+  BlockJob = 1,
+  BlockCorner = 2,
+  BlockCull = 3,
+  BlockClear = 4,
+  BlockPixel = 5,
+  BlockGroup = 6,
+  BlockNear = 7,
+  BlockDecide = 8,
+  BlockShade = 9,
+  BlockStore = 10,
+  BlockWords = 11
+};
+
+/// What a number of the world is; block_spheres has the square of BlockRadius, and BlockRv, which
+/// block_convert makes.
+enum block_field {
+  BlockCentreX = 0,
+  BlockCentreY = 1,
+  BlockCentreZ = 2,
+  BlockRadius = 3,
+  BlockRed = 4,
+  BlockGreen = 5,
+  BlockBlue = 6,
+  BlockRv = 7,
+  BlockEyeX = 8,
+  BlockEyeY = 9,
+  BlockEyeZ = 10,
+  BlockLightX = 11,
+  BlockLightY = 12,
+  BlockLightZ = 13,
+  BlockScreenWidth = 14,
+  BlockScreenHeight = 15
+};
+
+}  // namespace racebeam
