@@ -1,15 +1,44 @@
-// What an architect may change of the block renderer.
+// What an architect may change of the block renderer, and the table that names it.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "sc/base/knob_values.h"
+
 namespace racebeam {
 
+enum block_cull_rule { BlockCullCorners = 0, BlockCullCone = 1, BlockCullOff = 2 };
+enum block_size { BlockSize640 = 0, BlockSize512 = 1, BlockSize1920 = 2 };
+
 struct block_knobs {
-  int lanes = 4;               // spheres that a core looks at in a clock: 1, 2, 4, 8
-  int newton_steps = 2;        // of an inverse root, 0..3
-  int specular_squarings = 4;  // the highlight's power, 2^n, 0..6
+  int lanes = 4;
+  int newton_steps = 2;
+  int specular_squarings = 4;
+  int max_passes = 3;
+  int cull = BlockCullCorners;
+  int background = 0;
+  int fraction_bits = 20;
+  int size = BlockSize640;
+
+  block_knobs() = default;
+  /// Throws std::logic_error if they are another engine's.
+  block_knobs(const knob_values& values);  // NOLINT(google-explicit-constructor)
+  operator knob_values() const;            // NOLINT(google-explicit-constructor)
+
+  /// Columns and rows of the picture.
+  int columns() const { return size == BlockSize1920 ? 1920 : size == BlockSize512 ? 512 : 640; }
+  int rows() const { return size == BlockSize1920 ? 1080 : 480; }
+  /// The clocks of a unit vector.
+  int normalise_clocks() const { return 3 + 3 * newton_steps; }
+  int shade_clocks() const { return 9 + specular_squarings + 2 * normalise_clocks(); }
 };
+
+/// All knobs: a member without a row does not compile.
+const std::vector<knob_of<block_knobs>>& block_knob_table();
+/// The same without their places.
+const std::vector<knob_row>& block_knob_rows();
 
 }  // namespace racebeam
