@@ -25,7 +25,7 @@ module block_normalise #(
     output logic done_o
 );
   localparam int Bits = block_pkg::BlockBits;
-  localparam int SquareBits = 23;  // of the squared length, below 512
+  localparam int SquareBits = 24;  // of the squared length, below 1024
   localparam logic [3:0] LastStep = 4'(2 + 3 * NewtonSteps);
   localparam logic [Bits-1:0] OneAndHalf = 32'h180000;
   localparam logic [30:0] Magic = 31'h5f3759df;
@@ -48,7 +48,7 @@ module block_normalise #(
     aligned = square << (5'(SquareBits - 1) - place);
   end
 
-  wire logic [30:0] bits = {8'd113 + 8'(place), aligned[SquareBits-2:0], 1'b0};
+  wire logic [30:0] bits = {8'd113 + 8'(place), aligned[SquareBits-2:0]};
   wire logic [30:0] inverse = Magic - {1'b0, bits[30:1]};
   wire logic [7:0] shift = 8'd136 - inverse[30:23];
   wire logic [23:0] whole;

@@ -2,11 +2,11 @@
 // steps.
 //
 // What    unit = v * x, x about 1 / |v|, bits 51..20 of each product. With aa = v * v (bits 51..20
-//         of the sum): F = the bits of the float (aa[28:6]) * 2^-14; x is the float with the bits
-//         0x5f3759df - (F >> 1) in units of 2^-14, to nearest, ties to even, << 6; of aa[28:6] = 0
+//         of the sum): F = the bits of the float (aa[29:6]) * 2^-14; x is the float with the bits
+//         0x5f3759df - (F >> 1) in units of 2^-14, to nearest, ties to even, << 6; of aa[29:6] = 0
 //         it is 0x3759df << 6. Then newton_steps times x = x * (1.5 - x * x * (aa >> 1)). Two
-//         steps: at most 2.9e-5 off for aa of 1/64..1, 2.4e-4 up to 512. Below |v| = 1/16 it is
-//         worthless.
+//         steps: at most 2.9e-5 off for aa of 1/64..1, 2.4e-4 up to 512, 4.7e-4 up to 1024. Below
+//         |v| = 1/16 it is worthless.
 // Size    3 multipliers 32 x 32, one vector operation a clock.
 // Cycles  3 + 3 * newton_steps: start_i is looked at when idle; that clock makes aa, the next one
 //         the estimate, three a step of Newton's; done_o in the last one. v_i stays from start to

@@ -59,10 +59,10 @@ inline int isqrt(int d) {
   return static_cast<int>(std::nearbyintf(float_of_bits(half + 0x1fc00000) * 0x1p20f));
 }
 
-/// The first estimate of 1 / sqrt(aa): of bits 28..6 alone; 3.5 % off at most. To units of 2^-14,
+/// The first estimate of 1 / sqrt(aa): of bits 29..6 alone; 3.5 % off at most. To units of 2^-14,
 /// ties to even.
 inline int inverse_root_estimate(int aa) {
-  const int kept = aa >> 6 & low_bits(BlockRootBits);
+  const int kept = aa >> 6 & low_bits(24);
   if (kept == 0) return 0x3759df << 6;  // the constant's own fraction
   const std::uint32_t half = float_bits(static_cast<float>(kept) * 0x1p-14f) >> 1;
   return static_cast<int>(std::nearbyintf(float_of_bits(0x5f3759df - half) * 0x1p14f)) << 6;
