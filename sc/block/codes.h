@@ -24,6 +24,7 @@ constexpr int BlockSide = 16;  // pixels of a block
 constexpr int BlockPlaceBits = 11;
 constexpr int BlockCores = 64;
 constexpr int BlockStateBits = 4;
+constexpr int BlockAddressBits = 20;
 
 /// Where block_core is.
 enum block_state {

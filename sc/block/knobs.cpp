@@ -9,6 +9,8 @@ namespace racebeam {
 const std::vector<knob_of<block_knobs>>& block_knob_table() {
   using k = block_knobs;
   static const knob_of<block_knobs> rows[] = {
+      {{"cores", 1, 64, {}, "cores", "that draw blocks at the same time", "article \"Scheduling\""},
+       &k::cores},
       {{"lanes",
         1,
         8,

@@ -14,6 +14,7 @@ enum block_cull_rule { BlockCullCorners = 0, BlockCullCone = 1, BlockCullOff = 2
 enum block_size { BlockSize640 = 0, BlockSize512 = 1, BlockSize1920 = 2 };
 
 struct block_knobs {
+  int cores = 4;
   int lanes = 4;
   int newton_steps = 2;
   int specular_squarings = 4;

@@ -4,16 +4,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "sc/block/block_bus.h"
+#include "sc/block/block_convert.h"
+#include "sc/block/block_core.h"
 #include "sc/block/block_lane.h"
 #include "sc/block/block_normalise.h"
 #include "sc/block/block_pack.h"
 #include "sc/block/block_parameters.h"
 #include "sc/block/block_root.h"
+#include "sc/block/block_scheduler.h"
 #include "sc/block/block_shade.h"
 #include "sc/block/block_spheres.h"
 #include "tb/twin/lockstep.h"
@@ -23,6 +28,10 @@
 
 namespace racebeam {
 namespace {
+
+/// Names of the settings.
+const char* const Counts[] = {"none", "one", "two",   "three", "four",
+                              "five", "six", "seven", "eight", "all"};
 
 using Module = std::unique_ptr<sc_core::sc_module>;
 
@@ -42,19 +51,50 @@ Module without_knobs(const block_knobs&) {
   return std::make_unique<Unit>("model");
 }
 
+template <class Set>
+block_knobs with(const Set& set) {
+  block_knobs k;
+  set(k);
+  return k;
+}
+
 std::vector<Pair> pairs() {
-  return {{"block_root", "default", without_knobs<block_root>, {}},
-          {"block_lane", "default", without_knobs<block_lane>, {}},
-          {"block_pack", "default", without_knobs<block_pack>, {}},
-          {"block_normalise", "default", with_knobs<block_normalise>, {}},
-          {"block_normalise", "no_steps", with_knobs<block_normalise>, {4, 0, 4}},
-          {"block_normalise", "three_steps", with_knobs<block_normalise>, {4, 3, 4}},
-          {"block_shade", "default", with_knobs<block_shade>, {}},
-          {"block_shade", "no_squarings", with_knobs<block_shade>, {4, 2, 0}},
-          {"block_shade", "six_squarings", with_knobs<block_shade>, {4, 2, 6}},
-          {"block_spheres", "default", with_knobs<block_spheres>, {}},
-          {"block_spheres", "one_lane", with_knobs<block_spheres>, {1, 2, 4}},
-          {"block_spheres", "eight_lanes", with_knobs<block_spheres>, {8, 2, 4}}};
+  std::vector<Pair> all = {{"block_root", "default", without_knobs<block_root>, {}},
+                           {"block_lane", "default", without_knobs<block_lane>, {}},
+                           {"block_pack", "default", without_knobs<block_pack>, {}}};
+  const auto add = [&all](const char* unit, Module (*make)(const block_knobs&), const char* name,
+                          const block_knobs& k) {
+    all.push_back({unit, name, make, k});
+  };
+  for (const int steps : {0, 2, 3})
+    add("block_normalise", with_knobs<block_normalise>, Counts[steps],
+        with([&](block_knobs& k) { k.newton_steps = steps; }));
+  for (const int squarings : {0, 4, 6})
+    add("block_shade", with_knobs<block_shade>, Counts[squarings],
+        with([&](block_knobs& k) { k.specular_squarings = squarings; }));
+  for (const int lanes : {1, 4, 8})
+    add("block_spheres", with_knobs<block_spheres>, Counts[lanes],
+        with([&](block_knobs& k) { k.lanes = lanes; }));
+  for (const int cores : {1, 4, 64}) {
+    const block_knobs k = with([&](block_knobs& knobs) { knobs.cores = cores; });
+    add("block_scheduler", with_knobs<block_scheduler>, Counts[std::min(cores, 9)], k);
+    add("block_bus", with_knobs<block_bus>, Counts[std::min(cores, 9)], k);
+  }
+  add("block_convert", with_knobs<block_convert>, "default", {});
+  add("block_convert", with_knobs<block_convert>, "others",
+      with([](block_knobs& k) { k.fraction_bits = 13; }));
+  for (const int lanes : {1, 2, 4, 8})
+    add("block_core", with_knobs<block_core>, Counts[lanes],
+        with([&](block_knobs& k) { k.lanes = lanes; }));
+  add("block_core", with_knobs<block_core>, "others", with([](block_knobs& k) {
+        k.max_passes = 1;
+        k.newton_steps = 0;
+        k.specular_squarings = 0;
+        k.cull = BlockCullOff;
+        k.background = 0x123456;
+        k.size = BlockSize1920;
+      }));
+  return all;
 }
 
 class BlockLockstep : public testing::TestWithParam<Pair> {

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/block/block_core.h"
+
+namespace racebeam {
+
+block_core::block_core(const sc_core::sc_module_name& name, const block_knobs& k)
+    : block_core_pins(name), knobs_(k) {
+  SC_HAS_PROCESS(block_core);
+  SC_METHOD(seq);
+  sensitive << clk_i.pos();
+  dont_initialize();
+  SC_METHOD(drive);
+}
+
+void block_core::seq() {
+  core_.clock({rst_ni.value() != 0,
+               job_valid_i.value() != 0,
+               job_x_i.value(),
+               job_y_i.value(),
+               {write_i.value() != 0, field_i.value(), index_i.value(),
+                static_cast<int>(value_i.signed_value()), static_cast<int>(eye_k_i.signed_value())},
+               spheres_i.value(),
+               eye_i.signed_value(),
+               light_i.signed_value(),
+               start_i.signed_value(),
+               static_cast<int>(ax_i.signed_value()),
+               static_cast<int>(ay_i.signed_value()),
+               word_ready_i.value() != 0},
+              knobs_);
+  drive();
+}
+
+void block_core::drive() {
+  job_ready_o.drive(core_.state_q == BlockIdle);
+  busy_o.drive(core_.state_q != BlockIdle);
+  word_valid_o.drive(core_.word_valid());
+  word_address_o.drive(core_.word_address(knobs_));
+  word_o.drive(core_.word(knobs_));
+  state_o.drive(core_.state_q);
+}
+
+}  // namespace racebeam

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/block/block_core_core.h"
+
+#include <algorithm>
+
+namespace racebeam {
+
+namespace {
+
+constexpr int Far = wrap32(std::int64_t{BlockFar} << BlockFraction);
+
+/// Bits 28..12 of a colour, at most 255.
+int channel(int colour) { return std::min(colour >> 12 & 0x1ffff, 255); }
+
+}  // namespace
+
+bool block_core_core::last_row(const block_knobs& k) const {
+  const int rows = job_y_q + BlockSide > k.rows() ? k.rows() % BlockSide : BlockSide;
+  return row_q == ((rows - 1) & 15);
+}
+
+int block_core_core::word_address(const block_knobs& k) const {
+  const int row_words = k.columns() / 8;
+  const int y = (job_y_q + row_q) & low_bits(BlockPlaceBits);
+  const int address =
+      plane_q * row_words * k.rows() + y * row_words + job_x_q / 8 + (column_q >> 3);
+  return address & low_bits(BlockAddressBits);
+}
+
+std::uint64_t block_core_core::word(const block_knobs& k) const {
+  const int plane = std::min(plane_q, 2);
+  if (state_q == BlockClear)
+    return 0x0101010101010101u * static_cast<unsigned>(k.background >> 8 * (2 - plane) & 0xff);
+  return plane == 0 ? pack_q.red_q : plane == 1 ? pack_q.green_q : pack_q.blue_q;
+}
+
+block_shade_core::inputs block_core_core::hit_of(const inputs& in, const block_knobs& k) const {
+  const block_sphere& near = sphere(nearest_q, k);
+  return {in.rst_n, state_q == BlockShade, position_q, dir_q, best_q, near.centre,
+          in.light, near.colour,           {},         false};
+}
+
+/// What block_normalise gets.
+vec3 block_core_core::normalised(const inputs& in, const block_shade_core::inputs& hit) const {
+  if (state_q == BlockShade) return shade_q.vector(hit);
+  if (state_q != BlockCorner) return {at_x_q, at_y_q, in.start[2]};
+  const bool right = corner_q == 2 || corner_q == 3, low = corner_q == 1 || corner_q == 2;
+  constexpr int Steps = BlockSide - 1;
+  return {right ? wrap32(at_x_q + std::int64_t{Steps} * in.ax) : at_x_q,
+          low ? wrap32(at_y_q - std::int64_t{Steps} * in.ay) : at_y_q, in.start[2]};
+}
+
+void block_core_core::clock(const inputs& in, const block_knobs& k) {
+  block_shade_core::inputs hit = hit_of(in, k);
+  const vec3 v = normalised(in, hit);
+  const block_normalise_core::outputs unit = normalise_q.comb(v, k);
+  hit.unit = unit.unit;
+  hit.unit_done = unit.done;
+  const bool normalises = state_q == BlockCorner || state_q == BlockPixel || shade_q.normalise();
+
+  switch (state_q) {
+    case BlockIdle: take_job(in); break;
+    case BlockJob: place_job(in, k); break;
+    case BlockCorner: corner(unit, in); break;
+    case BlockCull: cull(in, k); break;
+    case BlockClear: clear(in, k); break;
+    case BlockPixel: pixel(unit, in); break;
+    case BlockGroup: group(in, k); break;
+    case BlockNear: nearest(in, k); break;
+    case BlockDecide: state_q = hit_q ? BlockShade : BlockStore; break;
+    case BlockShade: shaded(hit, k); break;
+    case BlockStore: store(in, k); break;
+    default: words(in, k);
+  }
+  shade_q.clock(hit, k);
+  normalise_q.clock({in.rst_n, normalises, v}, k);
+  if (in.write.write) {
+    block_spheres_core::inputs write = in.write;
+    write.index /= k.lanes;
+    spheres_q[static_cast<std::size_t>(in.write.index % k.lanes)].clock(write, k);
+  }
+  if (!in.rst_n) {
+    state_q = BlockIdle;
+    pack_q.clock({false, false, 0, 0, 0});
+  }
+}
+
+void block_core_core::take_job(const inputs& in) {
+  job_x_q = in.job_x;
+  job_y_q = in.job_y;
+  step_q = column_q = row_q = plane_q = corner_q = index_q = 0;
+  if (in.job_valid) state_q = BlockJob;
+}
+
+void block_core_core::place_job(const inputs& in, const block_knobs& k) {
+  if (step_q == 0) {
+    at_x_q = left_q = wrap32(in.start[0] + std::int64_t{job_x_q} * in.ax);
+    step_q = 1;
+    return;
+  }
+  at_y_q = wrap32(in.start[1] - std::int64_t{job_y_q} * in.ay);
+  step_q = 0;
+  state_q = k.cull == BlockCullOff ? BlockPixel : BlockCorner;
+}
+
+void block_core_core::corner(const block_normalise_core::outputs& unit, const inputs& in) {
+  if (!unit.done) return;
+  corners_q[static_cast<std::size_t>(corner_q)] = unit.unit;
+  corner_q = (corner_q + 1) % Corners;
+  if (corner_q == 0) state_q = in.spheres ? BlockCull : BlockClear;
+}
+
+void block_core_core::cull(const inputs& in, const block_knobs& k) {
+  const block_sphere& row = sphere(index_q, k);
+  const int tested = std::min(k.lanes, Corners);
+  bool keeps = false;
+  for (int n = 0; n < tested; ++n) {
+    const vec3& dir = corners_q[static_cast<std::size_t>((corner_q + n) % Corners)];
+    keeps |= block_lane_core().comb({false, row.pose, dir, row.rv}).d > 0;
+  }
+  if (keeps) {
+    index_q = corner_q = 0;
+    state_q = BlockPixel;
+    return;
+  }
+  corner_q = (corner_q + tested) % Corners;
+  if (corner_q != 0) return;
+  if (index_q + 1 < in.spheres) {
+    index_q = (index_q + 1) & (BlockEntries - 1);
+    return;
+  }
+  index_q = 0;
+  state_q = BlockClear;
+}
+
+void block_core_core::clear(const inputs& in, const block_knobs& k) {
+  if (!in.word_ready) return;
+  column_q ^= 8;
+  if (column_q & 8) return;
+  plane_q = plane_q == 2 ? 0 : plane_q + 1;
+  if (plane_q != 0) return;
+  if (last_row(k)) state_q = BlockIdle;
+  row_q = (row_q + 1) & 15;
+}
+
+void block_core_core::pixel(const block_normalise_core::outputs& unit, const inputs& in) {
+  if (!unit.done) return;
+  dir_q = unit.unit;
+  position_q = in.eye;
+  colour_q = {};
+  pass_q = 0;
+  begin_pass();
+  state_q = in.spheres ? BlockGroup : BlockDecide;
+}
+
+void block_core_core::begin_pass() {
+  index_q = 0;
+  step_q = 0;
+  hit_q = false;
+  best_q = Far;
+}
+
+void block_core_core::group(const inputs& in, const block_knobs& k) {
+  const bool first = pass_q == 0, second = step_q != 0;
+  int pending = 0;
+  for (int n = 0; n < k.lanes; ++n) {
+    const auto lane = static_cast<std::size_t>(n);
+    const block_sphere& row = spheres_q[lane].row(index_q, k);
+    const block_lane_core::inputs ray{second,
+                                      first ? row.pose : block_difference(position_q, row.centre),
+                                      dir_q, first ? row.rv : row.radius2};
+    const block_lane_core::outputs o = lanes_q[lane].comb(ray);
+    lanes_q[lane].clock(ray);
+    b_q[lane] = o.b;
+    d_q[lane] = static_cast<int>(o.d & low_bits(BlockRootBits));
+    if (o.d > 0 && index_q * k.lanes + n < in.spheres) pending |= 1 << n;
+  }
+  if (!first && !second) {
+    step_q = 1;
+    return;
+  }
+  step_q = 0;
+  pending_q = pending;
+  if (pending) state_q = BlockNear;
+  else next_group(in, k);
+}
+
+void block_core_core::nearest(const inputs& in, const block_knobs& k) {
+  int lane = 0;
+  while (lane < k.lanes - 1 && !bit_of(pending_q, lane)) ++lane;
+  const auto n = static_cast<std::size_t>(lane);
+  const int t = wrap32(-std::int64_t{b_q[n]} - isqrt(d_q[n]));
+  if (t > 0 && t < best_q) {
+    best_q = t;
+    hit_q = true;
+    nearest_q = (index_q * k.lanes + lane) & (BlockEntries - 1);
+  }
+  pending_q &= pending_q - 1;
+  if (pending_q == 0) next_group(in, k);
+}
+
+void block_core_core::next_group(const inputs& in, const block_knobs& k) {
+  if ((index_q + 1) * k.lanes >= in.spheres) {
+    state_q = BlockDecide;
+    return;
+  }
+  index_q = (index_q + 1) & (BlockEntries - 1);
+  state_q = BlockGroup;
+}
+
+void block_core_core::shaded(const block_shade_core::inputs& hit, const block_knobs& k) {
+  if (!shade_q.done()) return;
+  position_q = shade_q.point_q;
+  dir_q = shade_q.direction(hit);
+  colour_q = block_sum(colour_q, shade_q.colour_q);
+  pass_q = (pass_q + 1) & 15;
+  begin_pass();
+  state_q = pass_q == k.max_passes ? BlockStore : BlockGroup;
+}
+
+void block_core_core::store(const inputs& in, const block_knobs& k) {
+  const auto colour = [&](int n) {
+    return pass_q == 0 ? k.background >> 8 * (2 - n) & 0xff
+                       : channel(colour_q[static_cast<std::size_t>(n)]);
+  };
+  const bool full = pack_q.full(true);
+  pack_q.clock({true, true, colour(0), colour(1), colour(2)});
+  if (full) {
+    plane_q = 0;
+    state_q = BlockWords;
+  } else {
+    next_pixel(in);
+  }
+}
+
+void block_core_core::words(const inputs& in, const block_knobs& k) {
+  if (!in.word_ready) return;
+  if (plane_q < 2) {
+    ++plane_q;
+    return;
+  }
+  plane_q = 0;
+  const bool last = column_q == 15 && last_row(k);
+  next_pixel(in);
+  if (last) state_q = BlockIdle;
+}
+
+void block_core_core::next_pixel(const inputs& in) {
+  state_q = BlockPixel;
+  column_q = (column_q + 1) & 15;
+  if (column_q != 0) {
+    at_x_q = block_sum(at_x_q, in.ax);
+    return;
+  }
+  row_q = (row_q + 1) & 15;
+  at_x_q = left_q;
+  at_y_q = block_difference(at_y_q, in.ay);
+}
+
+}  // namespace racebeam
