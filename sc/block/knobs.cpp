@@ -4,12 +4,20 @@
 
 #include <iterator>
 
+#include "sc/block/codes.h"
+
 namespace racebeam {
 
 const std::vector<knob_of<block_knobs>>& block_knob_table() {
   using k = block_knobs;
   static const knob_of<block_knobs> rows[] = {
-      {{"cores", 1, 64, {}, "cores", "that draw blocks at the same time", "article \"Scheduling\""},
+      {{"cores",
+        1,
+        BlockCores,
+        {},
+        "cores",
+        "that draw blocks at the same time",
+        "article \"Command and Control\""},
        &k::cores},
       {{"lanes",
         1,
@@ -17,7 +25,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {},
         "spheres",
         "that a core meets in a clock: 1, 2, 4 or 8",
-        "article \"Render function\""},
+        "article \"The Integer Raytracer\""},
        &k::lanes},
       {{"newton_steps",
         0,
@@ -25,7 +33,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {},
         "steps",
         "of Newton's, that an inverse root takes",
-        "article \"Fixed point\""},
+        "article \"Integers\""},
        &k::newton_steps},
       {{"specular_squarings",
         0,
@@ -41,7 +49,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {},
         "passes",
         "a ray and its reflections",
-        "article \"Render function\""},
+        "article \"The Integer Raytracer\""},
        &k::max_passes},
       {{"cull",
         0,
@@ -49,7 +57,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {"corners", "cone", "off"},
         "",
         "what clears a block that shows no sphere: its four corner rays, a cone around it, nothing",
-        "article \"Render function\""},
+        "article \"The Integer Raytracer\""},
        &k::cull},
       {{"background",
         0,
@@ -57,7 +65,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {},
         "rgb",
         "red, green and blue where nothing is hit",
-        "article \"Render function\""},
+        "article \"The Integer Raytracer\""},
        &k::background},
       {{"fraction_bits",
         12,
@@ -65,7 +73,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {},
         "bits",
         "of the host's numbers when they are converted; those below are 0",
-        "article \"Fixed point\""},
+        "article \"Integers\""},
        &k::fraction_bits},
       {{"size",
         0,
@@ -73,7 +81,7 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         {"640x480", "512x480", "1920x1080"},
         "",
         "of the picture",
-        "article \"Results\""},
+        "article \"Summing Up\""},
        &k::size},
   };
   static_assert(std::size(rows) * sizeof(int) == sizeof(block_knobs), "a knob has no row");
