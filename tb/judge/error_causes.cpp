@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/judge/error_causes.h"
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -46,16 +47,6 @@ void for_each_difference(const GoldenPicture& a, const GoldenPicture& b, const D
   }
 }
 
-// The pixels that differ and have no cause yet.
-std::string bits_of(const GoldenPicture& picture, const GoldenPicture& end,
-                    const std::vector<std::uint8_t>& causes) {
-  std::string bits(end.size() / 8, '\0');
-  for_each_difference(picture, end, [&](std::size_t pixel) {
-    bits[pixel / 8] |= static_cast<char>(!causes[pixel] << (pixel % 8));
-  });
-  return bits;
-}
-
 template <class Do>
 void for_each_bit(const std::string& bits, const Do& act) {
   for (std::size_t byte = 0; byte < bits.size(); ++byte)
@@ -98,36 +89,42 @@ ErrorChain::ErrorChain(const Show& show, const knobs& k, PictureReference refere
 }
 
 // Each may have lines of the one before it.
-std::vector<TlmPictures::Run> ErrorChain::pictures_for(int frame, const Links& links) const {
-  std::vector<TlmPictures::Run> pictures;
+template <class Do>
+void ErrorChain::render_links(int frame, const Links& links, const Do& act) const {
   std::optional<TlmPictures> tlm;
+  std::optional<TlmPictures::Run> before;
   for (std::size_t step = 1; step < steps_.size(); ++step) {
     if (!links[step - 1].empty()) continue;
     if (!tlm) tlm.emplace(show_, frame, steps_[0].k);
-    pictures.push_back(tlm->run(steps_[step].k, steps_[step].residue,
-                                pictures.empty() ? nullptr : &pictures.back()));
+    before = tlm->run(steps_[step].k, steps_[step].residue, before ? &*before : nullptr);
+    act(step, before->picture);
   }
-  return pictures;
 }
 
 std::vector<int> ErrorChain::by_cause(int frame, const GoldenPicture& own, const GoldenPicture& end,
                                       Links& links) const {
   links.resize(keys_.size());
-  std::vector<TlmPictures::Run> pictures = pictures_for(frame, links);
-  std::vector<std::uint8_t> causes(end.size());  // from 1 on; 0: right from there on
-  for (std::size_t step = steps_.size(); --step > 0;) {
-    const auto mark = static_cast<std::uint8_t>(steps_[step].cause + 1);
-    std::string& link = links[step - 1];
-    if (link.empty()) {
-      link = bits_of(pictures.back().picture, end, causes);
-      pictures.pop_back();
-    }
-    for_each_bit(link, [&](std::size_t pixel) { causes[pixel] = mark; });
-  }
-  std::vector<int> counts(error_causes(reference_).size());
-  for_each_difference(own, end, [&](std::size_t pixel) {
-    ++counts[causes[pixel] ? causes[pixel] - 1u : steps_[0].cause];
+  // The last picture that differs; 0: none, or the point's own.
+  std::vector<std::uint8_t> last(end.size());
+  const auto differs_in = [&](std::size_t step) {
+    return [&last, step](std::size_t pixel) {
+      last[pixel] = std::max(last[pixel], static_cast<std::uint8_t>(step));
+    };
+  };
+  std::vector<bool> is_new(steps_.size());
+  render_links(frame, links, [&](std::size_t step, const GoldenPicture& picture) {
+    for_each_difference(picture, end, differs_in(step));
+    is_new[step] = true;
   });
+  for (std::size_t step = 1; step < steps_.size(); ++step) {
+    if (is_new[step]) links[step - 1].resize(end.size() / 8);
+    else for_each_bit(links[step - 1], differs_in(step));
+  }
+  for (std::size_t pixel = 0; pixel < last.size(); ++pixel)
+    if (is_new[last[pixel]])
+      links[last[pixel] - 1u][pixel / 8] |= static_cast<char>(1 << (pixel % 8));
+  std::vector<int> counts(error_causes(reference_).size());
+  for_each_difference(own, end, [&](std::size_t pixel) { ++counts[steps_[last[pixel]].cause]; });
   return counts;
 }
 

@@ -54,8 +54,9 @@ class ErrorChain {
     std::size_t cause;
   };
 
-  /// Those of links that are not known, in order.
-  std::vector<TlmPictures::Run> pictures_for(int frame, const Links& links) const;
+  /// Calls act(step, picture) for each link that is not known, in order.
+  template <class Do>
+  void render_links(int frame, const Links& links, const Do& act) const;
 
   const Show& show_;
   const PictureReference reference_;

@@ -60,26 +60,27 @@ class SameLines {
 TlmPictures::TlmPictures(const Show& show, int frame, const knobs& k)
     : show_(show), start_(at_frame(show, frame, k)) {}
 
-// Lines may be left out where nothing of a line shows in a later one: it never does but where the
-// stack underflows (contract 18, item S), and in the ray pattern.
+// Lines may be traced apart, and left out, where nothing of a line shows in a later one: it never
+// does but where the stack underflows (contract 18, item S), and in the ray pattern.
 TlmPictures::Run TlmPictures::run(const knobs& k, bool residue, const Run* before) const {
   const bool pattern = choice(start_, k).lock || choice(start_, k, true).lock;
-  if (before && !pattern && k.interval_stack_depth == most(&knobs::interval_stack_depth)) {
-    Run run = trace(k, residue, before);
+  if (!pattern && k.interval_stack_depth == most(&knobs::interval_stack_depth)) {
+    Run run = trace(k, residue, before, true);
     const auto lacks = [](const Run::Line& line) { return line.restarts; };
     if (std::none_of(run.lines.begin(), run.lines.end(), lacks)) return run;
   }
-  return trace(k, residue, nullptr);
+  return trace(k, residue, nullptr, false);
 }
 
-TlmPictures::Run TlmPictures::trace(const knobs& k, bool residue, const Run* before) const {
+TlmPictures::Run TlmPictures::trace(const knobs& k, bool residue, const Run* before,
+                                    bool apart) const {
   const bool interlaced = k.interlace && choice(start_, k).scene_interlace;
   knobs plain = k;
   if (!residue) plain.interlace = 0;
   const int step_back = !residue && interlaced;
   std::optional<SameLines> same;
   if (before) same.emplace(*before, k, residue, interlaced);
-  chip_lines chip({plain, show_.program()});
+  chip_lines chip({plain, show_.program(), false, false, nullptr, apart});
   chip_core& registers = chip.registers();
   registers.sequencer = start_.sequencer;
   registers.timeline = start_.timeline;
@@ -97,7 +98,7 @@ TlmPictures::Run TlmPictures::trace(const knobs& k, bool residue, const Run* bef
     chip.run_line();
   };
   run_line();  // in which the frame begins
-  while (!before && chip.next_line() < FirstVisibleLine) run_line();
+  while (!apart && chip.next_line() < FirstVisibleLine) run_line();
   for (std::size_t row = 0; row < VisibleRows; ++row) {
     if (same && same->has(row)) {
       const auto from = before->picture.begin() + static_cast<std::ptrdiff_t>(row) * VisibleColumns;
@@ -105,7 +106,7 @@ TlmPictures::Run TlmPictures::trace(const knobs& k, bool residue, const Run* bef
       run.lines.push_back(before->lines[row]);
       continue;
     }
-    if (before) {
+    if (apart) {
       registers.vga_timing.v_pos_q = FirstVisibleLine + static_cast<int>(row);
       registers.vga_timing.v_region_q = 1;
     }

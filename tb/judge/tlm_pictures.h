@@ -45,7 +45,8 @@ class TlmPictures {
   Run run(const knobs& k, bool residue, const Run* before = nullptr) const;
 
  private:
-  Run trace(const knobs& k, bool residue, const Run* before) const;
+  /// With lines `apart` those before a line do not show in it.
+  Run trace(const knobs& k, bool residue, const Run* before, bool apart) const;
 
   const Show& show_;
   const chip_core start_;  // its frame counter and navigator count

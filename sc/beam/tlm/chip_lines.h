@@ -33,6 +33,8 @@ class chip_lines {
     bool pins = false;   ///< the pins of every clock are wanted
     bool sound = false;  ///< the PWM pin is wanted
     chip_observer* observer = nullptr;
+    bool apart = false;  ///< no line is to leave anything on the stacks for later ones: without a
+                         ///< pattern the tracer stops when it is done
   };
 
   /// After one clock in reset, before line -273 of frame 0.
@@ -78,7 +80,8 @@ class chip_lines {
   void observe(const chip_core& before, const chip_view& view, int clock);
   // The tracer in its own loop, the beam behind it.
   void run_fast(const line_setting& line);
-  void camera_clock(const int (&angles)[3]);
+  int run_camera(int clock);
+  subdivider_core::outputs camera_clock(const int (&angles)[3]);
   line_counts trace(const line_setting& line, int clock);
   void last_clock();
   void count(const line_counts& counts);

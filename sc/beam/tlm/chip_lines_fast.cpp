@@ -58,7 +58,8 @@ line_setting chip_lines::setting() {
           options_.observer,
           visible_ ? collector_.stats() : unseen_,
           unseen_,
-          &rooms_told_};
+          &rooms_told_,
+          options_.apart};
 }
 
 const std::vector<room_row>& chip_lines::rooms(int flags) {
@@ -82,8 +83,7 @@ void chip_lines::run_fast(const line_setting& line) {
   int clock = 0;
   if (y_ == FirstLine)
     for (; clock < SettlingClocks; ++clock) chip_.clock_video(true, knobs_);
-  const int angles[3] = {angle(AngleYaw), angle(AnglePitch), angle(AngleFov)};
-  for (; !chip_.camera_unit.run(); ++clock) camera_clock(angles);
+  clock = run_camera(clock);
   beam_.hold(clock);
   const line_counts counts = trace(line, clock);
   count(counts);
@@ -94,18 +94,30 @@ void chip_lines::run_fast(const line_setting& line) {
   if (options_.observer) options_.observer->line_end(y_, counts.decisions());
 }
 
-// A clock of the blanking, before the tracer starts: it and the FIFO are held in reset.
-void chip_lines::camera_clock(const int (&angles)[3]) {
-  subdivider_core& sub = chip_.subdivider;
+// Clocks of the blanking up to the first with the camera in RUN: the tracer and the FIFO are held
+// in reset. Its place stays at the root, and of its decisions the last one is kept.
+int chip_lines::run_camera(int clock) {
+  const int angles[3] = {angle(AngleYaw), angle(AnglePitch), angle(AngleFov)};
   decision_datapath_core& place = chip_.decision_datapath;
-  const auto& top = chip_.stacks.top(sub.sp_q, knobs_);
+  decision_datapath_core::inputs to{};
+  to.tracer_reset = true;
+  to.nav_position = chip_.navigator.position_q;
+  to.nav_room = chip_.navigator.room_q;
+  vec3 dr1{};
+  for (; !chip_.camera_unit.run(); ++clock) {
+    dr1 = chip_.ray_stepper.dr1_q;
+    to.descend = camera_clock(angles).descend;
+  }
+  place.clock(to, knobs_);
+  chip_.subdivider.d1_q = place.decide(dr1, knobs_) & place.mask();
+  return clock;
+}
+
+// Without the tracer's place and decision.
+subdivider_core::outputs chip_lines::camera_clock(const int (&angles)[3]) {
+  subdivider_core& sub = chip_.subdivider;
   subdivider_core::inputs in{};
   in.tracer_reset = true;
-  in.dec = place.decide(chip_.ray_stepper.dr1_q, knobs_);
-  in.mask = place.mask();
-  in.tag = place.tag();
-  in.top_tag = top.tag;
-  in.top_i2 = top.i2;
   const auto move = sub.comb(in, knobs_);
   const int src = chip_.camera_unit.source(false, move.step);
   const camera_unit_core::inputs cam{false, move.step, chip_.ray_stepper.dr2_q, angles[src], y_};
@@ -113,18 +125,13 @@ void chip_lines::camera_clock(const int (&angles)[3]) {
   in.idx_load = control.idx_load;
   in.idx_start = control.idx_start;
   in.i2_init = control.i2_init;
-  decision_datapath_core::inputs to{};
-  to.tracer_reset = true;
-  to.nav_position = chip_.navigator.position_q;
-  to.nav_room = chip_.navigator.room_q;
-  to.descend = move.descend;
-  place.clock(to, knobs_);
   chip_.ray_stepper.clock({control.load, control.load_zero, control.ext, control.ext_sign,
                            control.axis_mask, control.delta, control.copy, move.copy_sub, move.step,
                            move.neg, move.step_size, sub.idx2_q, true},
                           knobs_);
   sub.clock(in, move, knobs_);
   chip_.camera_unit.clock(cam, knobs_);
+  return move;
 }
 
 line_counts chip_lines::trace(const line_setting& line, int clock) {

@@ -72,6 +72,7 @@ struct line_setting {
   frame_stats& histograms;  ///< into which its histograms go up to line_done
   frame_stats& unseen;      ///< and then
   room_teller* rooms_told;  ///< to the observer, of this line
+  bool apart;               ///< what the tracer does after line_done is not wanted
 };
 
 }  // namespace racebeam

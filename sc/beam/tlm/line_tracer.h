@@ -4,7 +4,8 @@
 // Units: ray_stepper, subdivider, stacks, decision_datapath and the room; the same core functions
 // as in chip_core, in the same order, with registers in local variables. Three things are skipped,
 // all of them clocks that are known to change nothing or to repeat: waiting for a full FIFO, dr2
-// following the beam in the lock effect, and whole rounds of the tracer after line_done.
+// following the beam in the lock effect, and whole rounds of the tracer after line_done; all of
+// these where lines are wanted apart.
 //
 // `Knobs` says which knobs are known when this is compiled: their arithmetic folds. It stands for a
 // chip only where Knobs::of(k) == k: a knob that it does not take from `k` is the taped-out chip's.

@@ -209,6 +209,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
         if (t < end) counts.done_clock = t;
         at_done = counts;
         histograms = &line.unseen;
+        if (!Pattern && line.apart) t = end;
       }
     }
     if (was_done && move.restart) {
