@@ -1,8 +1,9 @@
 // divider_unit: three divisions by one denominator, restoring, on magnitudes.
 // Contract: sc/sphere/divider_unit.h
 //
-// Every clock divides as many bits: the numerator has zeros before it to fill the clocks. The
-// registers of the division are without reset.
+// Every clock that divides takes as many bits: the numerator has zeros before it to fill them. If
+// the bits are taken before the last clock, those left are idle. The registers of the division are
+// without reset.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -27,16 +28,19 @@ module divider_unit #(
 );
   localparam int Bits = sphere_pkg::SphereBits;
   localparam int StepBits = (sphere_pkg::NumeratorBits + DivideClocks - 1) / DivideClocks;
-  localparam int AllBits = StepBits * DivideClocks;
+  localparam int BusyClocks = (sphere_pkg::NumeratorBits + StepBits - 1) / StepBits;
+  localparam int RestBits = StepBits * BusyClocks;
   localparam logic [5:0] LastStep = 6'(DivideClocks - 1);
   localparam logic [Bits-1:0] Huge = {1'b0, {(Bits - 1) {1'b1}}};  // of a division by 0
 
   typedef logic [Bits-1:0] number;
-  typedef logic [AllBits+2*Bits-1:0] lane;  // {numerator's bits to come, remainder, quotient}
+  typedef logic [RestBits-1:0] rest;  // the numerator's bits to come
+  typedef logic [RestBits+2*Bits-1:0] lane;  // {rest, remainder, found: the quotient}
 
   logic start_q, done_q, done_d;
   logic [5:0] step_q, step_d;  // clocks of the division that are over; 0: idle too
-  lane lane_x_q, lane_x_d, lane_y_q, lane_y_d, lane_z_q, lane_z_d;
+  rest rest_x_q, rest_y_q, rest_z_q;
+  number remainder_x_q, remainder_y_q, remainder_z_q, found_x_q, found_y_q, found_z_q;
   number denominator_q;
   logic [2:0] minus_q;  // z, y, x
   number quotient_x_q, quotient_y_q, quotient_z_q;
@@ -44,25 +48,23 @@ module divider_unit #(
   function automatic lane loaded(input logic [sphere_pkg::NumeratorBits-1:0] numerator);
     logic [sphere_pkg::NumeratorBits-1:0] magnitude;
     magnitude = numerator[sphere_pkg::NumeratorBits-1] ? -numerator : numerator;
-    loaded = {AllBits'(magnitude), {2 * Bits{1'b0}}};
+    loaded = {RestBits'(magnitude), {2 * Bits{1'b0}}};
   endfunction
 
   function automatic lane divided(input lane from, input number denominator);
-    logic [AllBits-1:0] bits;
-    logic [Bits:0] remainder;
-    number quotient;
-    {bits, remainder[Bits-1:0], quotient} = from;
-    remainder[Bits] = 1'b0;
+    rest bits;
+    number remainder, found;  // the remainder is less than 2^23, or divided by 0
+    {bits, remainder, found} = from;
     for (int n = 0; n < StepBits; n++) begin
-      remainder = {remainder[Bits-1:0], bits[AllBits-1]};
+      remainder = {remainder[Bits-2:0], bits[RestBits-1]};
       bits = bits << 1;
-      quotient = quotient << 1;
-      if (remainder >= {1'b0, denominator}) begin
-        remainder = remainder - {1'b0, denominator};
-        quotient[0] = 1'b1;
+      found = found << 1;
+      if (remainder >= denominator) begin
+        remainder = remainder - denominator;
+        found[0] = 1'b1;
       end
     end
-    divided = {bits, remainder[Bits-1:0], quotient};
+    divided = {bits, remainder, found};
   endfunction
 
   function automatic number result(input number magnitude, input logic minus, input logic by_zero);
@@ -73,7 +75,8 @@ module divider_unit #(
 
   wire logic rises = start_i && !start_q;
   wire logic running = rises || (start_i && step_q != '0);
-  wire logic ends = running && (rises ? LastStep == '0 : step_q == LastStep);
+  wire logic divides = BusyClocks == DivideClocks || 32'(step_q) < BusyClocks;
+  wire logic ends = running && step_q == LastStep;
   wire number denominator = !rises ? denominator_q
                             : denominator_i[Bits-1] ? -denominator_i : denominator_i;
   wire logic minus_below = denominator_i[Bits-1];
@@ -82,15 +85,16 @@ module divider_unit #(
       numerator_y_i[sphere_pkg::NumeratorBits-1] ^ minus_below,
       numerator_x_i[sphere_pkg::NumeratorBits-1] ^ minus_below};
 
-  always_comb begin
-    lane_x_d = divided(rises ? loaded(numerator_x_i) : lane_x_q, denominator);
-    lane_y_d = divided(rises ? loaded(numerator_y_i) : lane_y_q, denominator);
-    lane_z_d = divided(rises ? loaded(numerator_z_i) : lane_z_q, denominator);
-  end
+  wire lane from_x = rises ? loaded(numerator_x_i) : {rest_x_q, remainder_x_q, found_x_q};
+  wire lane from_y = rises ? loaded(numerator_y_i) : {rest_y_q, remainder_y_q, found_y_q};
+  wire lane from_z = rises ? loaded(numerator_z_i) : {rest_z_q, remainder_z_q, found_z_q};
+  wire lane lane_x = divides ? divided(from_x, denominator) : from_x;
+  wire lane lane_y = divides ? divided(from_y, denominator) : from_y;
+  wire lane lane_z = divides ? divided(from_z, denominator) : from_z;
 
   always_comb begin
     step_d = '0;
-    if (running && !ends) step_d = rises ? 6'd1 : step_q + 1'b1;
+    if (running && !ends) step_d = step_q + 1'b1;
     done_d = start_i && (ends || (done_q && !rises));
   end
 
@@ -109,15 +113,15 @@ module divider_unit #(
       step_q <= step_d;
       done_q <= done_d;
       if (ends) begin
-        quotient_x_q <= result(lane_x_d[Bits-1:0], minus[0], by_zero);
-        quotient_y_q <= result(lane_y_d[Bits-1:0], minus[1], by_zero);
-        quotient_z_q <= result(lane_z_d[Bits-1:0], minus[2], by_zero);
+        quotient_x_q <= result(lane_x[Bits-1:0], minus[0], by_zero);
+        quotient_y_q <= result(lane_y[Bits-1:0], minus[1], by_zero);
+        quotient_z_q <= result(lane_z[Bits-1:0], minus[2], by_zero);
       end
     end
     if (running) begin
-      lane_x_q <= lane_x_d;
-      lane_y_q <= lane_y_d;
-      lane_z_q <= lane_z_d;
+      {rest_x_q, remainder_x_q, found_x_q} <= lane_x;
+      {rest_y_q, remainder_y_q, found_y_q} <= lane_y;
+      {rest_z_q, remainder_z_q, found_z_q} <= lane_z;
       denominator_q <= denominator;
       minus_q <= minus;
     end

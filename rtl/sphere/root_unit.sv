@@ -29,20 +29,22 @@ module root_unit #(
   logic start_q, done_q, done_d;
   logic [4:0] step_q, step_d;  // 0: idle, 1: loads, from 2 on: digits
   logic [RestBits-1:0] rest_q, rest_d;  // of the radicand: the next two bits on top
-  logic [RootBits+2:0] remainder_q, remainder_d, trial;
+  // The last remainder, which has 19 bits, is not asked for.
+  logic [RootBits-1:0] remainder_q;
+  logic [RootBits+1:0] remainder_d, trial;
   logic [RootBits-1:0] found_q, found_d;
   logic [RootBits-1:0] root_q, root_d;
 
   always_comb begin
     rest_d = rest_q;
-    remainder_d = remainder_q;
+    remainder_d = {2'b00, remainder_q};
     found_d = found_q;
     trial = '0;
     for (int n = 0; n < RootBitsPerClock; n++)
       if (n < Rest || step_q != LastStep) begin
-        remainder_d = {remainder_d[RootBits:0], rest_d[RestBits-1-:2]};
+        remainder_d = {remainder_d[RootBits-1:0], rest_d[RestBits-1-:2]};
         rest_d = rest_d << 2;
-        trial = {1'b0, found_d, 2'b01};
+        trial = {found_d, 2'b01};
         found_d = {found_d[RootBits-2:0], remainder_d >= trial};
         if (found_d[0]) remainder_d = remainder_d - trial;
       end
@@ -85,7 +87,7 @@ module root_unit #(
     end
     if (start_i && step_q != '0) begin
       rest_q <= rest_d;
-      remainder_q <= remainder_d;
+      remainder_q <= remainder_d[RootBits-1:0];
       found_q <= found_d;
     end
   end

@@ -53,7 +53,7 @@ class divider_unit : public divider_unit_pins, public probed {
   static constexpr const char* unit_name = "divider_unit";
 
   divider_unit(const sc_core::sc_module_name& name, const sphere_knobs& k);
-  std::vector<probe> probes() const override { return registers_of(core_); }
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -19,17 +18,16 @@ namespace racebeam {
 
 struct divider_unit_core {
   struct lane {
-    std::uint64_t rest = 0;  // of the numerator's magnitude: the next bit is bit 35
-    std::uint32_t remainder = 0;
+    std::uint64_t rest = 0;  // of the numerator's magnitude, zeros before it: the next bit on top
+    int remainder = 0;
     int found = 0;  // the quotient's magnitude, low 24 bits
-    bool minus = false;
-    int quotient = 0;
   };
   bool start_q = false, done_q = false;
-  int edges_q = 0;  // still to come
-  int bits_q = 0;   // likewise, of the quotients
-  int magnitude_q = 0;
+  int step_q = 0;         // clocks of the division that are over; 0: idle too
+  int denominator_q = 0;  // its magnitude
+  int minus_q = 0;        // z, y, x
   std::array<lane, 3> lanes_q;
+  vec3 quotient_q{};
 
   struct inputs {
     bool rst_n, start;
@@ -37,71 +35,77 @@ struct divider_unit_core {
     int denominator;
   };
 
-  vec3 quotient() const { return {lanes_q[0].quotient, lanes_q[1].quotient, lanes_q[2].quotient}; }
+  const vec3& quotient() const { return quotient_q; }
   /// A clock with these inputs changes nothing.
   bool idle(const inputs& in) const {
-    return in.rst_n && in.start == start_q && edges_q == 0 && (in.start || !done_q);
+    return in.rst_n && in.start == start_q && step_q == 0 && (in.start || !done_q);
   }
   void clock(const inputs& in, const sphere_knobs& k) {
-    if (!in.rst_n) {
-      *this = {};
-      return;
-    }
-    if (!in.start) {
+    const bool rises = in.start && !start_q, running = rises || (in.start && step_q != 0);
+    if (rises) load(in);
+    if (running && step_q < busy_clocks(k))
+      for (lane& l : lanes_q)
+        for (int n = 0; n < step_bits(k); ++n) bit(l, rest_bits(k));
+    if (!in.rst_n) {  // of the division nothing
       start_q = done_q = false;
-      edges_q = 0;
+      step_q = 0;
+      quotient_q = {};
       return;
     }
-    if (!start_q) {
-      magnitude_q = in.denominator < 0 ? -in.denominator : in.denominator;
-      bits_q = NumeratorBits;
-      edges_q = k.divide_clocks;
-      for (int n = 0; n < 3; ++n) {
-        const bool negative = in.numerator[n] < 0;
-        lanes_q[n].rest = static_cast<std::uint64_t>(negative ? -in.numerator[n] : in.numerator[n]);
-        lanes_q[n].remainder = 0;
-        lanes_q[n].found = 0;
-        lanes_q[n].minus = negative != (in.denominator < 0);
-      }
+    const bool ends = running && step_q == k.divide_clocks - 1;
+    step_q = running && !ends ? step_q + 1 : 0;
+    done_q = in.start && (ends || (done_q && !rises));
+    start_q = in.start;
+    if (!ends) return;
+    for (int n = 0; n < 3; ++n) {
+      const int size = denominator_q == 0 ? 0x7fffff : lanes_q[n].found;
+      quotient_q[n] = wrap24(minus_q >> n & 1 ? -size : size);
     }
-    start_q = true;
-    if (edges_q == 0) return;
-    const int now = std::min(bits_q, (NumeratorBits + k.divide_clocks - 1) / k.divide_clocks);
-    for (lane& l : lanes_q)
-      for (int n = 0; n < now; ++n) bit(l);
-    bits_q -= now;
-    if (--edges_q) return;
-    for (lane& l : lanes_q) {
-      const int size = magnitude_q == 0 ? 0x7fffff : l.found;
-      l.quotient = wrap24(l.minus ? -size : size);
-    }
-    done_q = true;
   }
 
-  /// Calls visit(name, bits, read) for each register; the RTL has a lane in one.
+  /// Calls visit(name, bits, read) for each register, as the RTL has them.
   template <class Visit>
-  void each_register(Visit&& visit) const {
+  void each_register(Visit&& visit, const sphere_knobs& k) const {
     visit("start_q", 1, [this] { return start_q; });
     visit("done_q", 1, [this] { return done_q; });
-    visit("edges_q", 6, [this] { return edges_q; });
-    visit("bits_q", 6, [this] { return bits_q; });
-    visit("magnitude_q", SphereBits, [this] { return magnitude_q; });
+    visit("step_q", 6, [this] { return step_q; });
+    visit("denominator_q", SphereBits, [this] { return denominator_q; });
+    visit("minus_q", 3, [this] { return minus_q; });
     for (int n = 0; n < 3; ++n) {
       const lane* l = &lanes_q[n];
-      visit(element("rest_q", n), NumeratorBits, [l] { return l->rest; });
-      visit(element("remainder_q", n), SphereBits + 1, [l] { return l->remainder; });
-      visit(element("found_q", n), SphereBits, [l] { return l->found; });
-      visit(element("minus_q", n), 1, [l] { return l->minus; });
-      visit(std::string("quotient_") + "xyz"[n] + "_q", SphereBits, [l] { return l->quotient; });
+      const auto name = [n](const char* stem) { return std::string(stem) + "_" + "xyz"[n] + "_q"; };
+      visit(name("rest"), rest_bits(k), [l] { return l->rest; });
+      visit(name("remainder"), SphereBits, [l] { return l->remainder; });
+      visit(name("found"), SphereBits, [l] { return l->found; });
+      visit(name("quotient"), SphereBits, [this, n] { return quotient_q[n]; });
     }
   }
 
  private:
-  void bit(lane& l) {
-    l.remainder = l.remainder << 1 | static_cast<std::uint32_t>(l.rest >> (NumeratorBits - 1) & 1);
-    l.rest = l.rest << 1 & ((std::uint64_t{1} << NumeratorBits) - 1);
-    const bool fits = l.remainder >= static_cast<std::uint32_t>(magnitude_q);
-    if (fits) l.remainder -= static_cast<std::uint32_t>(magnitude_q);
+  static int step_bits(const sphere_knobs& k) {
+    return (NumeratorBits + k.divide_clocks - 1) / k.divide_clocks;
+  }
+  /// The clocks that divide; those after them are idle.
+  static int busy_clocks(const sphere_knobs& k) {
+    return (NumeratorBits + step_bits(k) - 1) / step_bits(k);
+  }
+  static int rest_bits(const sphere_knobs& k) { return busy_clocks(k) * step_bits(k); }
+
+  void load(const inputs& in) {
+    const auto size = [](std::int64_t value) { return value < 0 ? -value : value; };
+    denominator_q = static_cast<int>(size(in.denominator));
+    minus_q = 0;
+    for (int n = 0; n < 3; ++n) {
+      lanes_q[n] = {static_cast<std::uint64_t>(size(in.numerator[n])), 0, 0};
+      if ((in.numerator[n] < 0) != (in.denominator < 0)) minus_q |= 1 << n;
+    }
+  }
+  void bit(lane& l, int rest_bits) const {
+    const int next = static_cast<int>(l.rest >> (rest_bits - 1) & 1);
+    l.remainder = (l.remainder << 1 | next) & low_bits(SphereBits);
+    l.rest = raw_bits(l.rest << 1, rest_bits);
+    const bool fits = l.remainder >= denominator_q;
+    if (fits) l.remainder -= denominator_q;
     l.found = (l.found << 1 | fits) & low_bits(SphereBits);
   }
 };
