@@ -46,7 +46,7 @@ int draw(const TraceOptions& options) {
 /// The window that the command line says, or that the cores alone can find; none if the user stops
 /// them.
 std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWindowReader& reader,
-                                     const Run& run, const Raster& raster) {
+                                     const Run& run, const TraceAxis& raster) {
   if (!options.searches()) return options.said(reader);
   expect_rooms(run.show, "--around");
   const TraceWindow where = options.searched(reader);
@@ -68,7 +68,7 @@ std::optional<TraceWindow> window_of(const TraceOptions& options, const TraceWin
 
 /// Runs the chip until something happens.
 int watch(const TraceOptions& options, const TraceWindowReader& reader, WiredBench& bench,
-          const Raster& raster, const WindowWriter& writer) {
+          const TraceAxis& raster, const WindowWriter& writer) {
   const TraceWindow where = options.searched(reader);
   const std::int64_t first = where.from.ordinal(raster), before = options.clocks_before(raster);
   if (!options.picture.empty()) check_picture_clocks(options.most_clocks(raster));
@@ -114,7 +114,7 @@ int command_trace(const TraceOptions& options) {
         "scene is required, or --tt, or --diff; `racebeam trace --help` shows what it takes");
   Run run = open_run(options);
   const auto pixels = bench_of(run.show.engine()).pixels;
-  const Raster raster = pixels ? picture_axis(run.raster()) : run.raster();
+  const TraceAxis raster(run.raster(), run.show.engine().races_beam);
   const TraceWindowReader reader(run.show.frames(), raster,
                                  [&](int picture) { return pixels(setting_of(run), picture); });
   reader.check(options.from, options.to);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int BusyFrame = 7223;  // of the demo: the tracer has no rest
 constexpr const char* Nowhere = "/dev/null";
-const Raster raster;
+const TraceAxis raster;
 
 /// A run of some frames to their end.
 using Run = std::function<void(TraceRun&, std::int64_t end)>;

@@ -92,4 +92,10 @@ const std::vector<std::string>* state_words(const ChipSignal& signal) {
   return nullptr;
 }
 
+const ChipSignal& example_of(const std::vector<ChipSignal>& signals) {
+  for (const ChipSignal& signal : signals)
+    if (state_words(signal)) return signal;
+  return signals.back();
+}
+
 }  // namespace racebeam

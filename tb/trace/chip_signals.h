@@ -47,4 +47,7 @@ std::vector<ChipSignal> chip_signals(const WiredBench& bench);
 /// own RTL, others.
 const std::vector<std::string>* state_words(const ChipSignal& signal);
 
+/// One of them that shows what names look like: a state, if the chip has one.
+const ChipSignal& example_of(const std::vector<ChipSignal>& signals);
+
 }  // namespace racebeam

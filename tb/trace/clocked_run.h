@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "tb/monitor/raster.h"
 #include "tb/trace/chip_signals.h"
+#include "tb/trace/trace_axis.h"
 
 namespace racebeam {
 
@@ -18,7 +18,7 @@ class ClockedRun {
  public:
   virtual ~ClockedRun() = default;
 
-  virtual const Raster& raster() const = 0;
+  virtual const TraceAxis& raster() const = 0;
   virtual int period_ps() const = 0;
   /// All signals; `registers`: these will be read too. They can be read as long as the run lives.
   virtual std::vector<ChipSignal> signals(bool registers) = 0;

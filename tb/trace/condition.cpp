@@ -27,16 +27,16 @@ struct Condition::Parser {
   };
 
   const std::string text;
-  const Raster& raster;
+  const TraceAxis& raster;
   const std::vector<ChipSignal> signals;
   std::list<Variable> variables;  // their places are known to the expression
   Expression expression;
 
-  Parser(const std::string& t, std::vector<ChipSignal> all, const Raster& r)
+  Parser(const std::string& t, std::vector<ChipSignal> all, const TraceAxis& r)
       : text(t), raster(r), signals(std::move(all)), expression("--when", text, names()) {}
 
   ExpressionNames names() {
-    return {"signal", "state", "u_subdivider.sd_q == 4",
+    return {"signal", "state", example(),
             [this](const std::string& name) {
               variables.push_back({reader(name)});
               return &variables.back().value;
@@ -47,12 +47,18 @@ struct Condition::Parser {
             }};
   }
 
+  std::string example() const {
+    const ChipSignal& one = example_of(signals);
+    const std::vector<std::string>* words = state_words(one);
+    return one.path().substr(one.path().find('.') + 1) + " == " + (words ? words->at(1) : "1");
+  }
+
   std::function<double(const TracePoint&)> reader(const std::string& name) const {
     const std::string in_beam = name.rfind("beam.", 0) == 0 ? name.substr(5) : name;
-    if (in_beam == (of_pictures(raster) ? "picture" : "frame"))
+    if (in_beam == (raster.of_pictures ? "picture" : "frame"))
       return [](const TracePoint& at) { return at.frame; };
     if (in_beam == "line")
-      return [this](const TracePoint& at) { return line_of_beam(at.line, raster); };
+      return [this](const TracePoint& at) { return raster.line_of_beam(at.line); };
     if (in_beam == "clock") return [](const TracePoint& at) { return at.clock; };
     if (in_beam == "pixel") return [this](const TracePoint& at) { return at.pixel(raster); };
     if (const ChipSignal* signal = find(name)) return reader(*signal);
@@ -76,7 +82,7 @@ struct Condition::Parser {
 
   // The same name elsewhere, or the one that needs the fewest edits.
   std::string hint(const std::string& name) const {
-    std::vector<std::string> known = {of_pictures(raster) ? "picture" : "frame", "line", "pixel",
+    std::vector<std::string> known = {raster.of_pictures ? "picture" : "frame", "line", "pixel",
                                       "clock"};
     const std::string last = name.substr(name.rfind('.') + 1);
     for (const ChipSignal& signal : signals) {
@@ -99,7 +105,8 @@ struct Condition::Parser {
   }
 };
 
-Condition::Condition(const std::string& text, std::vector<ChipSignal> signals, const Raster& raster)
+Condition::Condition(const std::string& text, std::vector<ChipSignal> signals,
+                     const TraceAxis& raster)
     : parser_(new Parser(text, std::move(signals), raster)) {}
 Condition::~Condition() = default;
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/monitor/raster.h"
 #include "tb/trace/chip_signals.h"
+#include "tb/trace/trace_axis.h"
 
 namespace racebeam {
 
@@ -23,7 +23,7 @@ class Condition {
  public:
   /// Throws UsageError that names the place: no such signal or state, not an expression, no signal
   /// at all. The registers of a bench are to be watched. `raster` outlives it.
-  Condition(const std::string& text, std::vector<ChipSignal> signals, const Raster& raster);
+  Condition(const std::string& text, std::vector<ChipSignal> signals, const TraceAxis& raster);
   ~Condition();
 
   /// Whether it is not 0 in the clock of this ordinal, in which the bench has settled.

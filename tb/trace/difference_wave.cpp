@@ -83,13 +83,14 @@ int period_of(const knob_values& k) {
 
 std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& frames,
                              const knob_values& k, const std::string& folder) {
+  const TraceAxis axis(frames.raster, frames.show.engine().races_beam);
   const auto point = [&](std::size_t row) {
     const BeamPlace place = place_of(d.first_clock() + row, frames.numbers, frames.raster);
     return TracePoint{place.frame, place.line, place.clock};
   };
   const auto follows = [&](std::size_t row) {  // on the row before it; none does on the reset
     return d.first_clock() + row > 1 &&
-           point(row).ordinal(frames.raster) == point(row - 1).ordinal(frames.raster) + 1;
+           point(row).ordinal(axis) == point(row - 1).ordinal(axis) + 1;
   };
   Stretch shown{d.before, d.before};
   while (shown.first > 0 && follows(shown.first)) --shown.first;
@@ -100,15 +101,15 @@ std::string save_chip_window(const LockstepDifference& d, const DrivenFrames& fr
   DifferenceRow row(d);
   VcdWriter vcd;
   SignalTrace trace(
-      row.signals(), frames.raster, period, {}, false,
-      [&](int frame) { return frames.show.part(frame); }, vcd);
+      row.signals(), axis, period, {}, false, [&](int frame) { return frames.show.part(frame); },
+      vcd);
   TraceFiles files(path, "", comment_of(d), vcd);
   for (std::size_t n = shown.first; n <= shown.last; ++n) {
     row.go_to(n);
     trace.sample(point(n));
   }
   const auto ordinal = [&](std::size_t n) {
-    return static_cast<std::uint64_t>(point(n).ordinal(frames.raster));
+    return static_cast<std::uint64_t>(point(n).ordinal(axis));
   };
   commit(files, d, static_cast<std::uint64_t>(period), ordinal(shown.first),
          ordinal(shown.last) + 1, ordinal(d.before));

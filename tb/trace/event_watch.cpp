@@ -18,7 +18,7 @@ namespace racebeam {
 
 namespace {
 
-std::string place_of(std::int64_t clock, const Raster& raster) {
+std::string place_of(std::int64_t clock, const TraceAxis& raster) {
   return point_text(point_at(clock, raster), raster);
 }
 
@@ -57,7 +57,7 @@ class Differences {
 
 FlightEvent EventWatch::happened(const TraceRun& run, FlightEvent::Kind kind, std::int64_t clock,
                                  int detail, int port) const {
-  const Raster& raster = run.raster();
+  const TraceAxis& raster = run.raster();
   const TraceWindow window = around(point_at(clock, raster));
   return {kind, clock, window.from.ordinal(raster), window.to.ordinal(raster), detail, port};
 }
@@ -68,7 +68,7 @@ FlightEvent EventWatch::stopped(FlightEvent::Kind kind, std::int64_t last_clock,
 
 // In a copy.
 int EventWatch::replayed(TraceRun& copy, const FlightEvent& event) const {
-  const Raster& raster = copy.raster();
+  const TraceAxis& raster = copy.raster();
   copy.each_clock({});
   if (event.kind == FlightEvent::Crash)
     tell(fmt::format("crashed after {}{}", place_of(event.clock, raster),
@@ -84,7 +84,7 @@ int EventWatch::replayed(TraceRun& copy, const FlightEvent& event) const {
 }
 
 std::optional<int> EventWatch::run(TraceRun& run, std::int64_t first, std::int64_t last) const {
-  const Raster& raster = run.raster();
+  const TraceAxis& raster = run.raster();
   const int line = raster.line_clocks();
   FlightRecorder recorder(keep, [&](const FlightEvent& event) { return replayed(run, event); });
   recorder.pass(run.clock());

@@ -24,7 +24,7 @@ class FrameWave {
 
  private:
   WiredBench& bench_;
-  const Raster raster_;
+  const TraceAxis raster_;
   VcdWriter vcd_;
   SignalTrace trace_;
   TraceFiles files_;

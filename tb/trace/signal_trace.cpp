@@ -25,14 +25,14 @@ bool is_calm(const ChipSignal& signal) {
 
 }  // namespace
 
-SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster,
+SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const TraceAxis& raster,
                          int period_ps, const TraceSelection& selection, bool overview,
                          std::function<std::string(int)> part, VcdWriter& vcd)
     : raster_(raster),
       period_(static_cast<std::uint64_t>(period_ps)),
       part_(std::move(part)),
       vcd_(vcd),
-      line_bits_(1 + count_bits(std::max(line_of_beam(raster.last_line(), raster) + 1,
+      line_bits_(1 + count_bits(std::max(raster.line_of_beam(raster.last_line()) + 1,
                                          -raster.first_line))),
       frame_bits_(part_ ? FrameBits : ForeignFrameBits) {
   add_beam(!overview);
@@ -49,14 +49,15 @@ SignalTrace::SignalTrace(const std::vector<ChipSignal>& signals, const Raster& r
       vcd_.alias(signal.scope, signal.name, known->second);
     else if (const int added = add(signal); carrier) carried[carrier] = added;
   }
-  if (vcd_.names().size() == virtual_ones)
-    throw UsageError("no signal is under --scope and --depth; names look like " +
-                     (part_ ? "chip.u_subdivider.i1_q: try --scope 'chip.u_subdivider', or '*_q'"
-                            : signals.back().path()));
+  if (vcd_.names().size() == virtual_ones) {
+    const ChipSignal& one = example_of(signals);
+    throw UsageError("no signal is under --scope and --depth; names look like " + one.path() +
+                     ": try --scope '" + one.scope + "', or '*." + one.name + "'");
+  }
 }
 
 void SignalTrace::add_beam(bool with_clock) {
-  frame_ = vcd_.add("beam", of_pictures(raster_) ? "picture" : "frame", frame_bits_);
+  frame_ = vcd_.add("beam", raster_.of_pictures ? "picture" : "frame", frame_bits_);
   line_ = vcd_.add("beam", "line", line_bits_);
   pixel_ = vcd_.add("beam", "pixel", 11);
   clock_ = vcd_.add("beam", "clock", count_bits(raster_.line_clocks()));
@@ -82,7 +83,7 @@ void SignalTrace::sample(const TracePoint& at) {
   };
   if (clk_ != None) vcd_.change(time, clk_, 1);
   vcd_.change(time, frame_, raw(at.frame, frame_bits_));
-  vcd_.change(time, line_, raw(line_of_beam(at.line, raster_), line_bits_));
+  vcd_.change(time, line_, raw(raster_.line_of_beam(at.line), line_bits_));
   vcd_.change(time, pixel_, raw(at.pixel(raster_), 11));
   vcd_.change(time, clock_, raw(at.clock, 31));
   if (show_ != None && at.frame != shown_) vcd_.change(time, show_, part_(shown_ = at.frame));

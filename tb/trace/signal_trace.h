@@ -25,7 +25,7 @@ class SignalTrace {
   /// frame of our chip shows; empty: it is another chip. `overview`: of a window so long that all
   /// would be too much; ports and wires only, and not those that change in nearly every clock.
   /// Throws UsageError if nothing is selected.
-  SignalTrace(const std::vector<ChipSignal>& signals, const Raster& raster, int period_ps,
+  SignalTrace(const std::vector<ChipSignal>& signals, const TraceAxis& raster, int period_ps,
               const TraceSelection& selection, bool overview, std::function<std::string(int)> part,
               VcdWriter& vcd);
 
@@ -52,7 +52,7 @@ class SignalTrace {
   void add_beam(bool with_clock);
   int add(const ChipSignal& signal);
 
-  const Raster& raster_;
+  const TraceAxis& raster_;
   const std::uint64_t period_;
   const std::function<std::string(int)> part_;
   VcdWriter& vcd_;

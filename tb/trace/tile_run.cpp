@@ -37,7 +37,9 @@ ChipSignal signal_of(const rtl_port& port, bool is_pin) {
 }  // namespace
 
 TileRun::TileRun(TtRun& run)
-    : run_(run), period_ps_(static_cast<int>(std::lround(PicosecondsPerSecond / run.clock_hz()))) {}
+    : run_(run),
+      raster_(run.found().raster),
+      period_ps_(static_cast<int>(std::lround(PicosecondsPerSecond / run.clock_hz()))) {}
 
 void TileRun::restart() {
   each_clock({});

@@ -17,7 +17,7 @@ class TileRun : public ClockedRun {
   /// `run` outlives it. Its plug-in lets signals be read, or there are the pins alone.
   explicit TileRun(TtRun& run);
 
-  const Raster& raster() const override { return run_.found().raster; }
+  const TraceAxis& raster() const override { return raster_; }
   int period_ps() const override { return period_ps_; }
   /// Those that are wider than 64 bits are left out. To be asked for before each_clock().
   std::vector<ChipSignal> signals(bool) override;
@@ -37,6 +37,7 @@ class TileRun : public ClockedRun {
   }
 
   TtRun& run_;
+  const TraceAxis raster_;
   const int period_ps_;
   std::function<void(std::int64_t)> look_;
 };

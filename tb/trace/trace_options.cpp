@@ -100,7 +100,7 @@ TraceWindow TraceOptions::searched(const TraceWindowReader& reader) const {
 
 TraceWindow TraceOptions::said(const TraceWindowReader& reader) const {
   if (!pixels) return reader.window(from, to);
-  if (!of_pictures(reader.raster()))
+  if (!reader.raster().of_pictures)
     throw UsageError("--pixels is for engines that do not race the beam; give --to");
   return reader.pixels(from, *pixels);
 }
@@ -124,7 +124,7 @@ long long TraceOptions::most_clocks(const Raster& raster) const {
                      : (2 * lines_around() + 1) * raster.line_clocks();
 }
 
-UsageError TraceOptions::nothing_found(const TraceWindow& where, const Raster& raster) const {
+UsageError TraceOptions::nothing_found(const TraceWindow& where, const TraceAxis& raster) const {
   return UsageError(fmt::format("nothing of {} from {} to {}; search further with --from and --to",
                                 around.empty() ? "--when '" + when + "'" : around,
                                 point_option(where.from, raster), point_option(where.to, raster)));

@@ -59,7 +59,7 @@ struct TraceOptions : RunOptions, TtOptions {
   /// Clocks before it that this may ask for, and of the whole window.
   long long clocks_before(const Raster& raster) const;
   long long most_clocks(const Raster& raster) const;
-  UsageError nothing_found(const TraceWindow& where, const Raster& raster) const;
+  UsageError nothing_found(const TraceWindow& where, const TraceAxis& raster) const;
   /// The one that --from, --to and --pixels say.
   TraceWindow said(const TraceWindowReader& reader) const;
 

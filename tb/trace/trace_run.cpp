@@ -9,7 +9,7 @@
 
 namespace racebeam {
 
-TraceRun::TraceRun(WiredBench& bench, const Raster& raster, int frame)
+TraceRun::TraceRun(WiredBench& bench, const TraceAxis& raster, int frame)
     : bench_(bench), raster_(raster), clock_(TracePoint{frame, FirstLine, 0}.ordinal(raster)) {
   bench_.seek(frame);
   bench_.settle();

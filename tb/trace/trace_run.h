@@ -16,10 +16,10 @@ namespace racebeam {
 class TraceRun : public ClockedRun {
  public:
   /// Stands in the first clock of `frame`; nothing is simulated yet.
-  TraceRun(WiredBench& bench, const Raster& raster, int frame);
+  TraceRun(WiredBench& bench, const TraceAxis& raster, int frame);
 
   WiredBench& bench() const { return bench_; }
-  const Raster& raster() const override { return raster_; }
+  const TraceAxis& raster() const override { return raster_; }
   int period_ps() const override { return bench_.period_ps(); }
   std::vector<ChipSignal> signals(bool registers) override;
   const char* left_out() const override { return "no registers, clock, rays or geometry of rooms"; }
@@ -34,7 +34,7 @@ class TraceRun : public ClockedRun {
 
  private:
   WiredBench& bench_;
-  const Raster& raster_;
+  const TraceAxis& raster_;
   std::int64_t clock_;
   std::int64_t epoch_;  // of the kernel's time, in clocks: ordinal of its time 0
 };

@@ -32,7 +32,7 @@ void refuse_scene_options(const TraceOptions& options) {
 /// The first clock of `where` in which the condition holds. Nothing: the user wants to stop.
 std::optional<TracePoint> find(const TraceOptions& options, const TraceWindow& where,
                                TileRun& run) {
-  const Raster& raster = run.raster();
+  const TraceAxis& raster = run.raster();
   std::int64_t clock = where.from.ordinal(raster);
   const std::int64_t last = where.to.ordinal(raster);
   Condition condition(options.when, run.signals(true), raster);
@@ -60,7 +60,7 @@ int trace_tt(const TraceOptions& options) {
   TtRun chip(project, tt_plugin(project, options.reading.trust, true), inputs);
   for (const std::string& remark : assumptions(project, chip.found())) tell(remark);
   TileRun run(chip);
-  const Raster& raster = run.raster();
+  const TraceAxis& raster = run.raster();
   const TraceWindowReader reader(MostTtFrames, raster);
   reader.check(options.from, options.to);
   options.check(raster);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <vector>
 
 #include "tb/base/errors.h"
@@ -31,28 +30,15 @@ std::vector<int> numbers(const std::string& text) {
 
 }  // namespace
 
-Raster picture_axis(const Raster& raster) {
-  Raster axis = raster;
-  const int most = std::numeric_limits<int>::max() / raster.line_clocks();
-  axis.lines = most - most % raster.lines;
-  return axis;
-}
-
-bool of_pictures(const Raster& raster) { return raster.lines > FrameLines * 100; }
-
-int line_of_beam(int line, const Raster& raster) {
-  return of_pictures(raster) ? FirstLine + (line - FirstLine) % FrameLines : line;
-}
-
-std::string point_text(const TracePoint& at, const Raster& raster) {
-  if (of_pictures(raster))
+std::string point_text(const TracePoint& at, const TraceAxis& raster) {
+  if (raster.of_pictures)
     return fmt::format("picture {}, clock {}", at.frame,
                        at.ordinal(raster) % raster.frame_clocks());
   return fmt::format("frame {}, line {}, clock {}", at.frame, at.line, at.clock);
 }
 
-std::string point_option(const TracePoint& at, const Raster& raster) {
-  if (of_pictures(raster))
+std::string point_option(const TracePoint& at, const TraceAxis& raster) {
+  if (raster.of_pictures)
     return fmt::format("{}:{}", at.frame, at.ordinal(raster) % raster.frame_clocks());
   return fmt::format("{}:{}", at.frame, at.line);
 }
@@ -120,18 +106,18 @@ TraceWindow TraceWindowReader::pixels(const std::string& from, long long number)
 }
 
 std::string TraceWindowReader::first() const {
-  return of_pictures(raster_) ? "0:0" : fmt::format("0:{}", raster_.first_line);
+  return raster_.of_pictures ? "0:0" : fmt::format("0:{}", raster_.first_line);
 }
 
 std::string TraceWindowReader::last(const std::string& from) const {
-  if (!of_pictures(raster_))
+  if (!raster_.of_pictures)
     return from.substr(0, from.find(':')) + fmt::format(":{}", raster_.last_line());
   const int picture = point("--from", from, 0).frame;
   return fmt::format("{}:{}", picture, clocks_of(picture).begins.back() - 1);
 }
 
 TracePoint TraceWindowReader::point(const char* option, const std::string& text, int clock) const {
-  if (of_pictures(raster_)) return picture_point(option, text, clock > 0);
+  if (raster_.of_pictures) return picture_point(option, text, clock > 0);
   const std::vector<int> n = numbers(text);
   if (n.size() < 2 || n.size() > 3)
     throw UsageError(

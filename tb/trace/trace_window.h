@@ -12,18 +12,10 @@
 #include <utility>
 
 #include "tb/bench/pixel_clocks.h"
-#include "tb/monitor/raster.h"
+#include "tb/trace/trace_axis.h"
 #include "tb/wave/selection.h"
 
 namespace racebeam {
-
-/// The time of an engine whose pictures take as many clocks as they take: a frame is a picture, and
-/// its lines go on over the frames of the raster.
-Raster picture_axis(const Raster& raster);
-/// Whether `raster` is such an axis.
-bool of_pictures(const Raster& raster);
-/// A line of the raster, of a line of an axis.
-int line_of_beam(int line, const Raster& raster);
 
 /// A clock of a frame.
 struct TracePoint {
@@ -43,9 +35,9 @@ struct TracePoint {
 /// The clock with this ordinal.
 TracePoint point_at(std::int64_t ordinal, const Raster& raster);
 /// "frame 7, line -3, clock 400"; "picture 7, clock 250000".
-std::string point_text(const TracePoint& at, const Raster& raster);
+std::string point_text(const TracePoint& at, const TraceAxis& raster);
 /// The same as `--from` takes it, of a line: "7:-3"; "7:250000".
-std::string point_option(const TracePoint& at, const Raster& raster);
+std::string point_option(const TracePoint& at, const TraceAxis& raster);
 
 /// Both ends are in it.
 struct TraceWindow {
@@ -60,10 +52,10 @@ class TraceWindowReader {
   using Pixels = std::function<PixelClocks(int picture)>;
 
   /// `pixels`: of pictures only.
-  TraceWindowReader(int frames, const Raster& raster, Pixels pixels = {})
+  TraceWindowReader(int frames, const TraceAxis& raster, Pixels pixels = {})
       : frames_(frames), raster_(raster), pixels_(std::move(pixels)) {}
 
-  const Raster& raster() const { return raster_; }
+  const TraceAxis& raster() const { return raster_; }
 
   /// "60:-240:800", as FRAME:LINE or FRAME:LINE:CLOCK. Without a clock `from` begins, and `to`
   /// ends, with the line. Of pictures "3:250000" or "3:@200,240", as PICTURE:CLOCK or PICTURE:@X,Y:
@@ -91,7 +83,7 @@ class TraceWindowReader {
   const PixelClocks& clocks_of(int picture) const;
 
   const int frames_;
-  const Raster& raster_;
+  const TraceAxis& raster_;
   const Pixels pixels_;
   mutable std::map<int, PixelClocks> known_;  // pictures that were drawn for their pixels
 };

@@ -21,7 +21,7 @@ constexpr int ShortTransaction = 32;         ///< clocks
 }  // namespace
 
 int WindowWriter::write(ClockedRun& run, const TraceWindow& window) const {
-  const Raster& raster = run.raster();
+  const TraceAxis& raster = run.raster();
   const std::int64_t first = window.from.ordinal(raster), last = window.to.ordinal(raster);
   const bool overview =
       selection.scopes.empty() && last - first >= OverviewLines * raster.line_clocks();

@@ -33,7 +33,7 @@ class ConditionTest : public testing::Test {
     return "";
   }
 
-  const Raster raster;
+  const TraceAxis raster;
   SignalBench bench{{knobs{}}};
   TraceRun run{bench, raster, 7223};
 };
