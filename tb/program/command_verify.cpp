@@ -24,6 +24,7 @@
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/lockstep_report.h"
+#include "tb/twin/twins.h"
 #include "tb/twin/use_option.h"
 
 namespace racebeam {
@@ -154,6 +155,10 @@ UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut,
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knob_values& k, const unit_choices& choices) {
   std::vector<UnitVerdict> verdicts;
+  const auto walk_clocks = [&](const std::string& unit) {
+    const UnitWalk* const walk = twins_of(show.engine()).walk(unit);
+    return walk ? walk->clocks : 0;
+  };
   std::uint64_t all = 0, done = 0;  // clocks
   for (const auto& [unit, choice] : choices.by_unit)
     if (unit != show.engine().top)

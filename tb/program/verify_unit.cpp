@@ -6,14 +6,12 @@
 #include <chrono>
 #include <memory>
 
-#include "sc/beam/pwm_sound.h"
 #include "sc/beam/sequencer.h"
 #include "tb/base/interrupt.h"
 #include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/random_traffic.h"
-#include "tb/twin/tune_walk.h"
 #include "tb/twin/twins.h"
 #include "tb/twin/unit_bench.h"
 
@@ -31,10 +29,6 @@ int any_frame(const UnitUnderTest& dut, unsigned random) {
 
 }  // namespace
 
-std::uint64_t walk_clocks(const std::string& unit) {
-  return unit == pwm_sound::unit_name ? TuneWalk::Clocks : 0;
-}
-
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
@@ -44,6 +38,8 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
   lockstep.outlive_faults();
   UnitBench bench(*model, &lockstep.clk_i);
   const auto start = std::chrono::steady_clock::now();
+  const bool random = stimulus == Stimulus::Random;
+  const UnitWalk* const walk = random ? nullptr : twins_of(built).walk(dut.unit);
   RandomTraffic traffic(bench, twins_of(built).inputs(dut.k), seed);
   if (auto* counter = dynamic_cast<sequencer_pins*>(model.get()))
     traffic.at_episodes([&, counter](unsigned random) {
@@ -51,15 +47,13 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
       counter->deposit(frame);
       lockstep.deposit([&](rtl_instance& rtl) { rtl.seek(frame); });
     });
-  TuneWalk walk(bench, seed);
-  if (stimulus == Stimulus::Walk) bench.between_edges([&] { walk.next(); });
+  if (walk) bench.between_edges(walk->begin(bench, dut.k, seed));
   else bench.between_edges([&] { traffic.next(); });
   while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole()) &&
          !lockstep.fault() && !interrupted()) {
     bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
     compared(lockstep.clocks());
   }
-  const bool random = stimulus == Stimulus::Random;
   UnitVerdict verdict{dut.unit,
                       random ? "random" : "walk",
                       lockstep.clocks(),
@@ -77,8 +71,9 @@ UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64
         d->expected,
         d->got,
         {},
-        explain(*d, {random ? "on random traffic" : "on the walk through its tune", repeat, "",
-                     save_unit_window(*d, verdict.traffic, dut.k, folder), knobs_text(dut.k)})};
+        explain(*d,
+                {random ? "on random traffic" : std::string("on the walk ") + walk->where, repeat,
+                 "", save_unit_window(*d, verdict.traffic, dut.k, folder), knobs_text(dut.k)})};
   return verdict;
 }
 

@@ -44,11 +44,8 @@ struct UnitUnderTest {
   int frames;                 ///< of the show
 };
 
-/// What drives a unit alone: RandomTraffic, or a walk through what that does not reach.
+/// What drives a unit alone: RandomTraffic, or the UnitWalk of its engine's row.
 enum class Stimulus { Random, Walk };
-
-/// Clocks of the walk of a unit that has one; else 0.
-std::uint64_t walk_clocks(const std::string& unit);
 
 /// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, a fault or
 /// an interrupt; a difference is explained and saved in `folder`; `repeat` is the command for it.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <random>
 
+#include "sc/base/knob_values.h"
 #include "sc/beam/tune.h"
 #include "tb/twin/unit_bench.h"
 
@@ -23,7 +24,7 @@ class TuneWalk {
   static constexpr std::uint64_t Clocks = static_cast<std::uint64_t>(Steps + 1) * SampleClocks;
 
   /// For pwm_sound on `bench`; the same seed makes the same traffic.
-  TuneWalk(UnitBench& bench, unsigned seed) : bench_(bench), random_(seed) {}
+  TuneWalk(UnitBench& bench, const knob_values&, unsigned seed) : bench_(bench), random_(seed) {}
 
   /// New values for the next clock.
   void next();

@@ -2,18 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/twin/twins.h"
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knob_parameters.h"
+#include "sc/beam/pwm_sound.h"
 #include "sc/sphere/engine.h"
+#include "sc/sphere/sphere_tracer.h"
 #include "tb/twin/beam_twins.h"
 #include "tb/twin/sphere_twins.h"
+#include "tb/twin/tracer_walk.h"
+#include "tb/twin/tune_walk.h"
 
 namespace racebeam {
 
 namespace {
+
+template <class Walk>
+std::function<void()> begin_walk(UnitBench& bench, const knob_values& k, unsigned seed) {
+  return [walk = std::make_shared<Walk>(bench, k, seed)] { walk->next(); };
+}
 
 Twins beam() {
   return {beam_engine(),
@@ -23,7 +33,8 @@ Twins beam() {
           [](const knob_values& k) { return beam_inputs(k); },
           [](const knob_values& k, const scene_tables* scene) {
             return !scene && without_pins(k) == knobs();
-          }};
+          },
+          {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>}}};
 }
 
 const sphere_tables& tables_of(const scene_tables* scene) {
@@ -38,10 +49,18 @@ Twins sphere() {
           },
           [](const knob_values& k) { return sphere_inputs_of(k); },
           // It has the pins of a memory that the chip has inside.
-          [](const knob_values&, const scene_tables*) { return false; }};
+          [](const knob_values&, const scene_tables*) { return false; },
+          {{sphere_tracer::unit_name, "to the end of a picture", TracerWalk::Clocks,
+            begin_walk<TracerWalk>}}};
 }
 
 }  // namespace
+
+const UnitWalk* Twins::walk(const std::string& unit) const {
+  for (const UnitWalk& one : walks)
+    if (unit == one.unit) return &one;
+  return nullptr;
+}
 
 const std::vector<Twins>& twins() {
   static const std::vector<Twins> table = {beam(), sphere()};

@@ -4,13 +4,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "sc/base/engine.h"
 #include "tb/twin/legal_inputs.h"
 #include "tb/twin/plugin_maker.h"
+#include "tb/twin/unit_bench.h"
 
 namespace racebeam {
+
+/// A unit alone on its way through what random traffic does not reach.
+struct UnitWalk {
+  const char* unit;
+  const char* where;  ///< "through its tune"
+  std::uint64_t clocks;
+  /// What drives new values for the next clock; the same seed makes the same traffic.
+  std::function<void()> (*begin)(UnitBench& bench, const knob_values& k, unsigned seed);
+};
 
 struct Twins {
   const racebeam::engine& engine;
@@ -21,6 +34,10 @@ struct Twins {
   LegalInputs (*inputs)(const knob_values& k);
   /// Whether engine::top, which has no parameters, is such a chip.
   bool (*is_top)(const knob_values& k, const scene_tables* scene);
+  std::vector<UnitWalk> walks;
+
+  /// nullptr: it has none.
+  const UnitWalk* walk(const std::string& unit) const;
 };
 
 const std::vector<Twins>& twins();

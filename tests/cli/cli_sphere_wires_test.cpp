@@ -61,7 +61,7 @@ TEST_F(CliSphereWiresTest, UnitsOfTheBuiltInSceneAreVerifiedByTheEngineAlone) {
   Program run(folder.path(), {"verify", "all", "--engine", "sphere", "--frames", "0", "--random",
                               "500", "--json"});
   EXPECT_EQ(run.wait(), 0) << run.err();
-  EXPECT_EQ(Json::parse(run.out())["units"].size(), 14u);
+  EXPECT_EQ(Json::parse(run.out())["units"].size(), 14u + 1) << "the tracer's walk";
 }
 
 TEST_F(CliSphereWiresTest, WindowOfPixelsBeginsAndEndsWithThem) {
@@ -79,7 +79,8 @@ TEST_F(CliSphereWiresTest, RtlHasTheSignalsOfTheModelWithTheSameChanges) {
   const std::vector<std::string> window = {"--from", "0:@150,100", "--pixels", "1"};
   const Wave model = trace(window, "model.vcd", Small);
   std::vector<std::string> with_rtl = window;
-  with_rtl.insert(with_rtl.end(), {"--use", "sphere_tracer=rtl"});
+  with_rtl.insert(with_rtl.end(), {"--use", "sphere_tracer=rtl", "--use", "root_unit=rtl", "--use",
+                                   "divider_unit=rtl"});
   const Wave rtl = trace(with_rtl, "rtl.vcd", Small);
   EXPECT_GT(rtl.signals.size(), model.signals.size());
   for (const auto& [path, signal] : model.signals)
@@ -110,6 +111,15 @@ TEST_F(CliSphereWiresTest, PlacesThatAreNoneAreRefused) {
   of_small("0:500", "--pixels counts from a pixel");
   expect_refused({"trace", "demo", "-o", "t.vcd", "--from", "0:0", "--pixels", "1"},
                  "--pixels is for engines that do not race the beam");
+}
+
+TEST_F(CliSphereWiresTest, NamesOfTheEnginesOwnSignalsAreTold) {
+  expect_refused({"trace", Small, "-o", "t.vcd", "--from", "0:0", "--to", "0:1", "--scope", "none"},
+                 "no signal is under --scope and --depth; names look like "
+                 "chip.u_sphere_tracer.state_q: try --scope 'chip.u_sphere_tracer', or "
+                 "'*.state_q'");
+  expect_refused({"trace", Small, "-o", "t.vcd", "--when", "3"},
+                 "--when '3' names no signal; try 'u_sphere_tracer.state_q == HOST'");
 }
 
 TEST_F(CliSphereWiresTest, UnitsOfAnEngineAreListedWithTheirRtl) {

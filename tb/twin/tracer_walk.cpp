@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/twin/tracer_walk.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+
+#include "sc/base/fixed_point.h"
+#include "sc/sphere/codes.h"
+#include "sc/sphere/knobs.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr int Episode = 150;  // clocks at most
+
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
+}
+
+}  // namespace
+
+TracerWalk::TracerWalk(UnitBench& bench, const knob_values& k, unsigned seed)
+    : bench_(bench), min_weight_(sphere_knobs(k).min_weight), random_(seed) {
+  for (UnitBench::Pin* pin : bench.pins()) {
+    if (!pin->input || pin->name == "rst_ni") continue;
+    const bool mode = is_one_of(pin->name, {"max_reflections_i", "alias_i", "narrow_i", "planes_i",
+                                            "sphere_last_i", "plane_last_i", "plane_empty_i"});
+    (mode ? modes_ : pin->bits == 1 ? flags_ : numbers_).push_back(pin);
+  }
+}
+
+void TracerWalk::next() {
+  if (!begun_) return begin_picture();
+  if (!drawn_) return go_through_picture();
+  if (left_-- == 0) begin_episode();
+  for (UnitBench::Pin* pin : flags_) pin->drive(!one_in(4));
+  for (UnitBench::Pin* pin : numbers_)
+    if (!one_in(3)) pin->drive(number(pin->bits));
+}
+
+// The eye is in a sphere, and nobody has to wait.
+void TracerWalk::begin_picture() {
+  for (const auto* pins : {&flags_, &modes_, &numbers_})
+    for (UnitBench::Pin* pin : *pins) pin->drive(0);
+  for (const char* on : {"loaded_i", "root_done_i", "divider_done_i", "word_ready_i", "radius2_i"})
+    bench_[on].drive(1);
+  begun_ = true;
+}
+
+// The first line has 512 columns; the second one changes to 320 behind those, so that it goes on
+// until the column is 0 again. Pixels of the first and the last column have several rays.
+void TracerWalk::go_through_picture() {
+  const std::uint64_t x = bench_["x_o"].value(), y = bench_["y_o"].value();
+  bench_["rst_ni"].drive(1);
+  narrow_ = narrow_ || (y == 1 && x > 400);
+  bench_["narrow_i"].drive(narrow_);
+  bench_["alias_i"].drive(x == 0 || x == 319 ? y & 3 : 0);
+  drawn_ = bench_["picture_done_o"].value();
+}
+
+// Every other one has planes and few spheres before them.
+void TracerWalk::begin_episode() {
+  left_ = 1 + static_cast<int>(random_() % Episode);
+  for (UnitBench::Pin* pin : modes_)
+    pin->drive(raw_bits(random_() >> (one_in(2) ? 30 : 0), pin->bits));
+  if (one_in(2)) {
+    bench_["planes_i"].drive(1);
+    bench_["plane_empty_i"].drive(0);
+    bench_["sphere_last_i"].drive(0);
+  }
+  const std::uint64_t any = random_() & low_bits(SphereBits);
+  const std::uint64_t numbers[] = {std::uint64_t{1 + random_() % 8} << SphereFraction, NearestPlane,
+                                   static_cast<std::uint64_t>(min_weight_), any,
+                                   any >> random_() % SphereBits};
+  value_ = numbers[one_in(2) ? 0 : random_() % std::size(numbers)];
+}
+
+// That of the episode, or beside it, negative, a sixteenth, or 0; sums have it where it becomes a
+// number, or a square.
+std::uint64_t TracerWalk::number(int bits) {
+  std::uint64_t value = one_in(3) ? 0 : value_;
+  switch (random_() % 8) {
+    case 0: ++value; break;
+    case 1: --value; break;
+    case 2:
+    case 3: value = -value; break;
+    case 4: value >>= 4; break;
+    default: break;
+  }
+  if (bits == SphereSumBits)
+    return raw_bits(value << (one_in(2) ? SphereFraction : SphereBits), bits);
+  if (bits == UnitBits && one_in(2)) value >>= SphereFraction;
+  return raw_bits(value, bits);
+}
+
+}  // namespace racebeam

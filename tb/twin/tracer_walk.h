@@ -1,0 +1,48 @@
+// TracerWalk: sphere_tracer to the end of a small picture, and with operands that meet.
+//
+// Random traffic draws no picture to its end: that takes hundreds of thousands of clocks without a
+// reset. Nor are two of its operands of 24 bits ever equal, which is where a comparison tells
+// whether it is `<` or `<=`. Here the tracer first goes through a picture of black pixels, six
+// clocks each; then all numbers come from one that is drawn anew now and then, and what it waits
+// for comes soon.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "sc/base/knob_values.h"
+#include "tb/twin/unit_bench.h"
+
+namespace racebeam {
+
+class TracerWalk {
+ public:
+  static constexpr std::uint64_t Clocks = 800'000;  ///< a little more than half for the picture
+
+  /// For sphere_tracer on `bench`; the same seed makes the same traffic.
+  TracerWalk(UnitBench& bench, const knob_values& k, unsigned seed);
+
+  /// New values for the next clock.
+  void next();
+
+ private:
+  void begin_picture();
+  void go_through_picture();
+  void begin_episode();
+  std::uint64_t number(int bits);
+  bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
+
+  UnitBench& bench_;
+  const int min_weight_;
+  std::mt19937 random_;
+  std::vector<UnitBench::Pin*> flags_, modes_, numbers_;
+  bool begun_ = false, narrow_ = false, drawn_ = false;
+  int left_ = 0;             // clocks of the episode
+  std::uint64_t value_ = 0;  // of its numbers
+};
+
+}  // namespace racebeam
