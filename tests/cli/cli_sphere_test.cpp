@@ -104,6 +104,25 @@ TEST_F(CliSphereTest, AsBuiltIsTold) {
               HasSubstr("as_built=on: table_entries=5, when_full=drop, write_each_pass=on"));
 }
 
+TEST_F(CliSphereTest, AsBuiltDrawsWhatItStandsFor) {
+  const auto drawn = [&](const std::vector<std::string>& knobs, const std::string& file) {
+    std::vector<std::string> words = {
+        "render", scene("inside"),       "--first", "23", "-o", file, "--json",
+        "--set",  "write_buffer_depth=8"};
+    for (const std::string& knob : knobs) words.insert(words.end(), {"--set", knob});
+    return Json::parse(run(words)).at("pictures").at(0);
+  };
+  const Json built = drawn({"as_built=on"}, "a.png"), own = drawn({}, "c.png");
+  EXPECT_EQ(built.dump(),
+            drawn({"table_entries=5", "when_full=drop", "write_each_pass=on"}, "b.png").dump());
+  EXPECT_TRUE(read_file(folder / "a.png") == read_file(folder / "b.png"));
+  EXPECT_FALSE(read_file(folder / "a.png") == read_file(folder / "c.png")) << "words are lost";
+  EXPECT_EQ(own.at("counters").at("words"), 320 * 240);
+  EXPECT_EQ(own.at("counters").at("buffer_lost"), 0);
+  EXPECT_GT(built.at("counters").at("words"), 320 * 240) << "one for each pass";
+  EXPECT_GT(built.at("counters").at("buffer_lost"), 0);
+}
+
 TEST_F(CliSphereTest, AStarterChecksShowsAndRenders) {
   run({"scene", "new", "a.toml", "--engine", "sphere"});
   EXPECT_EQ(run({"scene", "check", "a.toml"}), "good: 2 spheres, 1 plane\n");
