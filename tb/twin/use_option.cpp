@@ -11,6 +11,7 @@
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
+#include "tb/scene/engines.h"
 #include "tb/twin/twins.h"
 #include "tb/verilate/rtl_warnings.h"
 #include "tb/verilate/source_list.h"
@@ -54,6 +55,12 @@ void UseOption::check_unit(const std::string& unit) const {
                          (scene_file_ ? "a scene file has " : "the built-in demo has ") + here +
                          " in its place");
   }
+  for (const engine* other : engines())
+    if (other->unit(unit))
+      throw UsageError(
+          fmt::format("{} is a unit of {}, and this chip is {}; add --engine {}, or "
+                      "give a scene of it",
+                      unit, other->name, engine_.name, other->name));
   known.push_back(AllUnits);
   throw unknown_name("unit", unit, known);
 }

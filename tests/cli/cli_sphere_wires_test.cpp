@@ -64,6 +64,62 @@ TEST_F(CliSphereWiresTest, UnitsOfTheBuiltInSceneAreVerifiedByTheEngineAlone) {
   EXPECT_EQ(Json::parse(run.out())["units"].size(), 14u + 1) << "the tracer's walk";
 }
 
+/// Small pictures in which all that the board has is moved now and then.
+constexpr const char* TwentyPictures = R"(name = "twenty"
+engine = "sphere"
+frames = 20
+[modes]
+size = "320x240"
+planes = false
+[[sphere]]
+centre = [-4, 0, 8]
+radius = 4
+colour = "#ff8421"
+reflect = 0.5
+velocity = [0.5, 0.25, 0]
+[[sphere]]
+centre = [4, 1, 8]
+radius = 3
+reflect = 0.25
+velocity = [-0.5, 0, 0.25]
+[[plane]]
+normal = [0, -1, 0]
+distance = 8
+colour = "#e8e8e8"
+checker = 1
+limits = [20, 20, 20]
+[[input]]
+picture = 4
+pictures = 8
+hold = ["SW3", "SW17", "SW8", "SW12", "SW13"]
+[[input]]
+picture = 8
+hold = ["SW0", "KEY1"]
+[[input]]
+picture = 14
+hold = ["KEY2", "KEY3"]
+[[input]]
+picture = 15
+pictures = 3
+hold = ["SW2", "SW6", "SW15", "KEY0"]
+)";
+
+using LongCliSphereWiresTest = CliSphereWiresTest;
+TEST_F(LongCliSphereWiresTest, VerifyFindsNothingInTwentyPictures) {
+  std::ofstream(folder / "twenty.toml") << TwentyPictures;
+  Program run(folder.path(),
+              {"verify", "all", "--scene", "twenty.toml", "--frames", "20", "--json"});
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  std::size_t chip = 0;
+  const auto json = Json::parse(run.out());
+  for (const auto& unit : json["units"].elements()) {
+    EXPECT_EQ(unit["differences"], 0) << unit["unit"].dump();
+    EXPECT_GE(unit["clocks"], 100000);
+    chip += unit["traffic"] == "chip";
+  }
+  EXPECT_EQ(chip, 14u);
+}
+
 TEST_F(CliSphereWiresTest, WindowOfPixelsBeginsAndEndsWithThem) {
   const Wave wave = trace({"--from", "0:@150,100", "--pixels", "2"}, "t.vcd", Small);
   const std::uint64_t last = wave.end - SpherePeriod;
@@ -120,6 +176,16 @@ TEST_F(CliSphereWiresTest, NamesOfTheEnginesOwnSignalsAreTold) {
                  "'*.state_q'");
   expect_refused({"trace", Small, "-o", "t.vcd", "--when", "3"},
                  "--when '3' names no signal; try 'u_sphere_tracer.state_q == HOST'");
+}
+
+TEST_F(CliSphereWiresTest, UnitsOfAnotherEngineAreToldToBeThat) {
+  expect_refused(
+      {"verify", "sphere_tracer"},
+      "sphere_tracer is a unit of sphere, and this chip is beam; add --engine sphere, or give "
+      "a scene of it");
+  expect_refused({"verify", "stacks", "--scene", Small},
+                 "stacks is a unit of beam, and this chip is sphere; add --engine beam, or give a "
+                 "scene of it");
 }
 
 TEST_F(CliSphereWiresTest, UnitsOfAnEngineAreListedWithTheirRtl) {
