@@ -12,7 +12,7 @@
 // Knobs   cores, 1..64: parameter Cores; bits of cores that there are not do not count.
 // Twin    rtl/block/block_bus.sv
 // Test    tests/block/block_bus_test.cpp
-// Source  engine page, 4.1; S2-22.
+// Source  ours: the source's cores share a memory.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -18,7 +18,7 @@
 // Knobs   fraction_bits, 12..20: parameter FractionBits.
 // Twin    rtl/block/block_convert.sv
 // Test    tests/block/block_convert_test.cpp
-// Source  thesis, "conversion"; S2-03, S2-08, S2-27.
+// Source  article "Integers".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/block/block_core.h"
 
+#include <stdexcept>
+
 namespace racebeam {
 
 block_core::block_core(const sc_core::sc_module_name& name, const block_knobs& k)
     : block_core_pins(name), knobs_(k) {
+  if (k.cull == BlockCullCone)
+    throw std::invalid_argument("block_core knows cull = corners and off, not cone");
   SC_HAS_PROCESS(block_core);
   SC_METHOD(seq);
   sensitive << clk_i.pos();

@@ -22,19 +22,19 @@
 //         BlockStore        1
 //         BlockWords        3 after every eighth pixel: red, green, blue
 //         cull = off: from BlockJob to BlockPixel. Without spheres there is neither BlockCull nor
-//         BlockGroup. After BlockShade the next pass begins with
-//         BlockGroup; after that of the last pass comes BlockStore.
-// Comb    job_x_i ... -> none; state -> job_ready_o, busy_o, word_valid_o, word_address_o, word_o.
+//         BlockGroup. After BlockShade the next pass begins with BlockGroup; after that of the last
+//         pass comes BlockStore.
+// Comb    none.
 // Stall   BlockClear and BlockWords wait for word_ready_i.
 // Reset   rst_ni = 0: BlockIdle. Places, counts and numbers are without reset.
 // Address of a word: plane * (width * height / 8) + y * (width / 8) + x / 8; rows of a block below
 //         the picture are not drawn.
 // Knobs   lanes, newton_steps, specular_squarings, max_passes, cull, background, size: parameters
 //         Lanes, NewtonSteps, SpecularSquarings, MaxPasses, Cull, Background, PictureWidth,
-//         PictureHeight.
+//         PictureHeight. cull = cone is of block_rays alone.
 // Twin    rtl/block/block_core.sv
 // Test    tests/block/block_core_test.cpp
-// Source  thesis, "block"; S2-13..22, S2-27, S2-28.
+// Source  article "The Integer Raytracer".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -90,6 +90,7 @@ class block_core : public block_core_pins, public probed {
   using pins = block_core_pins;
   static constexpr const char* unit_name = "block_core";
 
+  /// Throws std::invalid_argument for cull = cone.
   block_core(const sc_core::sc_module_name& name, const block_knobs& k);
   std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 

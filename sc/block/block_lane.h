@@ -14,7 +14,7 @@
 // Reset   none: b_q takes b at the end of every clock with secondary_i = 0.
 // Twin    rtl/block/block_lane.sv
 // Test    tests/block/block_lane_test.cpp
-// Source  thesis, "sphere intersection"; S2-13, S2-15.
+// Source  article "The Integer Raytracer".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -17,7 +17,7 @@
 // Knobs   newton_steps, 0..3: parameter NewtonSteps.
 // Twin    rtl/block/block_normalise.sv
 // Test    tests/block/block_normalise_test.cpp
-// Source  thesis, "inormalize"; S2-12.
+// Source  article "Integers".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

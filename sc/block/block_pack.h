@@ -11,7 +11,7 @@
 // Reset   rst_ni = 0: words and count 0.
 // Twin    rtl/block/block_pack.sv
 // Test    tests/block/block_pack_test.cpp
-// Source  thesis, "output"; S2-22, S2-29.
+// Source  article "The Integer Raytracer".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

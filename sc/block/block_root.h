@@ -12,7 +12,7 @@
 // Reset   none.
 // Twin    rtl/block/block_root.sv
 // Test    tests/block/block_root_test.cpp
-// Source  thesis, "isqrt"; S2-10, S2-11.
+// Source  article "Integers".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -14,7 +14,7 @@
 // Knobs   cores, 1..64: parameter Cores; bits of cores that there are not do not count.
 // Twin    rtl/block/block_scheduler.sv
 // Test    tests/block/block_scheduler_test.cpp
-// Source  thesis, "scheduling"; S2-03..05.
+// Source  article "Command and Control".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

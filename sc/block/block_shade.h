@@ -16,7 +16,7 @@
 // Knobs   specular_squarings, 0..6: parameter SpecularSquarings.
 // Twin    rtl/block/block_shade.sv
 // Test    tests/block/block_shade_test.cpp
-// Source  thesis, "shading"; S2-16..20.
+// Source  article "The Integer Raytracer".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

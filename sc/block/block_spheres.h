@@ -13,7 +13,7 @@
 // Knobs   lanes, 1, 2, 4, 8: parameter Lanes.
 // Twin    rtl/block/block_spheres.sv
 // Test    tests/block/block_spheres_test.cpp
-// Source  thesis, "local memory"; S2-13.
+// Source  article "The Integer Raytracer".
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

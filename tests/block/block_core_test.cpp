@@ -12,6 +12,7 @@
 #include <map>
 #include <ostream>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "tb/twin/unit_bench.h"
@@ -123,7 +124,7 @@ template <class Unit>
 class BlockCoreTest : public testing::Test {};
 TYPED_TEST_SUITE(BlockCoreTest, block_twins<block_core>);
 
-TYPED_TEST(BlockCoreTest, ReferenceIsThePages) {
+TYPED_TEST(BlockCoreTest, ReferenceIsTheDesigns) {
   const int pixels[][6] = {{320, 240, 47, 139, 93, 48},  {160, 160, 181, 60, 60, 48},
                            {480, 320, 0, 0, 0, 12},      {360, 80, 129, 129, 44, 49},
                            {250, 200, 62, 186, 124, 48}, {400, 260, 8, 25, 17, 48},
@@ -146,7 +147,7 @@ TYPED_TEST(BlockCoreTest, EmptyBlockIsClearedIn138Clocks) {
   EXPECT_EQ(d.bench["job_ready_o"].value(), 1u);
 }
 
-TYPED_TEST(BlockCoreTest, BlockAtTheMiddleTakesThePagesClocks) {
+TYPED_TEST(BlockCoreTest, BlockAtTheMiddleTakesTheDesignsClocks) {
   Dut<TypeParam> d;
   EXPECT_EQ(d.draw(320, 240), 12'423);
   EXPECT_EQ(d.words, expected_words(320, 240, false, {}));
@@ -260,6 +261,12 @@ TYPED_TEST(BlockCoreTest, SpheresBeyondTheNumberAreNotSeen) {
   d.bench["write_i"].drive(0);
   EXPECT_EQ(d.draw(320, 240), 12'423);
   EXPECT_EQ(d.words, before);
+}
+
+TEST(BlockCore, RefusesTheCullItHasNot) {
+  block_knobs k;
+  k.cull = BlockCullCone;
+  EXPECT_THROW(block_core("core", k), std::invalid_argument);
 }
 
 TYPED_TEST(BlockCoreTest, ResetDropsTheBlock) {

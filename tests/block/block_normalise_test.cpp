@@ -28,7 +28,7 @@ int inverse_root_of_floats(int aa, int steps) {
 
 int fixed_of(double value) { return static_cast<int>(std::lround(value * 1048576)); }
 
-TEST(InverseRoot, HasTheValuesOfThePage) {
+TEST(InverseRoot, HasTheValuesOfTheDesign) {
   const struct {
     double aa;
     int estimate, one, two;
@@ -53,7 +53,7 @@ TEST(InverseRoot, IsTheOneOfRealFloatsInAMillionPlaces) {
   }
 }
 
-TEST(InverseRoot, IsAsNearAsThePageSays) {
+TEST(InverseRoot, IsAsNearAsTheDesignSays) {
   const struct {
     double from, to, bound;
   } rows[] = {{1.0 / 64, 1, 2.9e-5},
@@ -73,7 +73,7 @@ TEST(InverseRoot, IsAsNearAsThePageSays) {
   }
 }
 
-TEST(F2i, HasTheValuesOfThePage) {
+TEST(F2i, HasTheValuesOfTheDesign) {
   const std::pair<float, unsigned> rows[] = {{1.0f, 0x00100000},        {-1.0f, 0xfff00000},
                                              {3.14159265f, 0x00324400}, {-2.7182818f, 0xffd48200},
                                              {255.9f, 0x0ffe6680},      {-255.9f, 0xf0019980},
@@ -111,7 +111,7 @@ template <class Unit>
 class BlockNormaliseTest : public testing::Test {};
 TYPED_TEST_SUITE(BlockNormaliseTest, block_twins<block_normalise>);
 
-TYPED_TEST(BlockNormaliseTest, HasTheVectorsOfThePage) {
+TYPED_TEST(BlockNormaliseTest, HasTheVectorsOfTheDesign) {
   const struct {
     double v[3];
     unsigned unit[3];

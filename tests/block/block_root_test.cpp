@@ -60,7 +60,7 @@ class BlockRootTest : public testing::Test {
 };
 TYPED_TEST_SUITE(BlockRootTest, block_twins<block_root>);
 
-TYPED_TEST(BlockRootTest, HasTheRootsOfThePage) {
+TYPED_TEST(BlockRootTest, HasTheRootsOfTheDesign) {
   const int rows[][2] = {{0, 0},
                          {0x000001, 0x000400},
                          {0x000003, 0x000700},

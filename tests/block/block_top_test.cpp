@@ -160,14 +160,14 @@ TEST(BlockTopTest, PictureWithoutSpheresIsTheBackground) {
     }
 }
 
-TEST(LongBlockTopTest, QuadIsThePagesOnOneCore) {
+TEST(LongBlockTopTest, QuadIsTheDesignsOnOneCore) {
   Dut d(with_cores(1));
   d.load();
   EXPECT_EQ(d.draw(4), 3'172'601 + 1200) << "each block waits a clock for the core";
   EXPECT_EQ(d.checksum(), 0xe7be7668);
 }
 
-TEST(LongBlockTopTest, QuadIsThePagesOnSixteenCores) {
+TEST(LongBlockTopTest, QuadIsTheDesignsOnSixteenCores) {
   Dut d(with_cores(16));
   d.load();
   EXPECT_LT(d.draw(4), 3'172'601 / 12) << "the bus costs a quarter at most";

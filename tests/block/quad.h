@@ -1,5 +1,5 @@
-// Scene quad of the block renderer's page: four spheres, as its cores and its host see them; and
-// what a core makes of a pixel, written from the page in one piece.
+// Scene quad of the block renderer: four spheres, as its cores and its host see them; and
+// what a core makes of a pixel, written from the design in one piece.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
