@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tb/base/whole_file.h"
+
 namespace racebeam {
 
 std::optional<std::string> read_input_file(const std::string& path, const std::string& kind,
@@ -32,9 +34,7 @@ std::optional<std::string> read_input_file(const std::string& path, const std::s
     return refuse(std::string("cannot be read: ") + std::strerror(errno),
                   "check the name; `racebeam " + kind + " new` writes a file to start from");
   // Devices have no size: no more than a file may have is taken.
-  std::string text(LargestFile + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::string text = next_bytes(in, LargestFile + 1);
   if (in.bad()) return refuse("cannot be read", "is the disk in order?");
   if (text.size() > LargestFile) return too_large();
   return text;

@@ -3,7 +3,8 @@
 #include "tb/sweep/sweep_point.h"
 
 #include <algorithm>
-#include <map>
+#include <cstring>
+#include <vector>
 
 #include "tb/scene/engines.h"
 
@@ -50,10 +51,13 @@ knob_values knobs_on(const SweepPoint& point, const knob_values& standard) {
 }
 
 std::string point_text(const knob_values& k) {
-  std::map<std::string, std::string> lines;
-  for (const knob_row& row : k.rows()) lines[row.name] = row.text(k[place_of(row, k)]);
+  std::vector<const knob_row*> by_name;
+  for (const knob_row& row : k.rows()) by_name.push_back(&row);
+  std::sort(by_name.begin(), by_name.end(),
+            [](const knob_row* a, const knob_row* b) { return std::strcmp(a->name, b->name) < 0; });
   std::string text;
-  for (const auto& [name, value] : lines) text += name + "=" + value + "\n";
+  for (const knob_row* row : by_name)
+    (((text += row->name) += '=') += row->text(k[place_of(*row, k)])) += '\n';
   return text;
 }
 
