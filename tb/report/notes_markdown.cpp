@@ -29,16 +29,6 @@ without its limits, has one cause: the first ones below add up. `trace2` knows n
 chip's parabolas for sine and cosine; the causes on the way to them stand for themselves.
 )";
 
-/// Text of users on a line of Markdown.
-std::string plain(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    if (std::string("\\`*_[]<>#|&~").find(c) != std::string::npos) line += '\\';
-    line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return line;
-}
-
 /// A word of the command line in a code span.
 std::string word(const std::string& scene) {
   std::string name = std::filesystem::path(scene).filename().string();
@@ -127,21 +117,32 @@ std::string pixels(const SceneNotes& notes) {
 
 }  // namespace
 
-std::string notes_head(const std::vector<std::string>& scenes, const std::string& set, int frames,
-                       int budget) {
-  std::string command = "racebeam scene notes";
-  for (const std::string& scene : scenes) command += " " + word(scene);
-  command += fmt::format("{} --frames {}", set, frames);
-  return fmt::format(Head, program_version(), command, frames,
-                     set.empty() ? "" : " but those set here", budget);
+std::string markdown_text(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    if (std::string("\\`*_[]<>#|&~").find(c) != std::string::npos) line += '\\';
+    line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return line;
+}
+
+std::string notes_command(const NotesCommand& command) {
+  std::string text = "racebeam scene notes";
+  for (const std::string& scene : command.scenes) text += " " + word(scene);
+  return text + fmt::format("{} --frames {}", command.set, command.frames);
+}
+
+std::string notes_head(const std::string& command, int frames, bool set, int budget) {
+  return fmt::format(Head, program_version(), command, frames, set ? " but those set here" : "",
+                     budget);
 }
 
 std::string notes_section(const SceneNotes& notes) {
   return fmt::format(
       "\n## {}\n\n{}\n\nFrames {}.\n\n{}\n{}\n"
       "With cut, shift, hurry and stack limits switched off: {} pixels differ from `trace4`.\n",
-      plain(notes.show().name()), facts(notes), frame_list(notes), counters(notes), pixels(notes),
-      notes.unexplained());
+      markdown_text(notes.show().name()), facts(notes), frame_list(notes), counters(notes),
+      pixels(notes), notes.unexplained());
 }
 
 }  // namespace racebeam

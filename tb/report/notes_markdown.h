@@ -6,17 +6,21 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "tb/report/note_kinds.h"
 #include "tb/report/scene_notes.h"
 
 namespace racebeam {
 
-/// What comes before the first scene. `scenes` as on the command line; of a path the last part is
-/// named, so that the text does not depend on the machine. `set`: " --set knob=value" for
-/// each knob. `budget`: LineEstimate::budget().
-std::string notes_head(const std::vector<std::string>& scenes, const std::string& set, int frames,
-                       int budget);
+/// Text of users on a line of Markdown.
+std::string markdown_text(const std::string& text);
+
+/// The command that makes the notes. Of a path the last part is named, so that the text does not
+/// depend on the machine.
+std::string notes_command(const NotesCommand& command);
+
+/// What comes before the first scene. `set`: there are knobs. `budget`: LineEstimate::budget().
+std::string notes_head(const std::string& command, int frames, bool set, int budget);
 
 /// One scene.
 std::string notes_section(const SceneNotes& notes);

@@ -2,6 +2,7 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 namespace racebeam {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -133,6 +135,31 @@ TEST_F(CliSphereTest, AStarterChecksShowsAndRenders) {
   EXPECT_EQ(shown.at("moves"), true);
   run({"render", "a.toml", "--frames", "2", "--first", "118", "-o", "out"});
   EXPECT_THAT(read_file(folder / "out/frame_0119.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(CliSphereTest, NotesCountWhatRenderCounts) {
+  run({"render", "sphere/inside", "--first", "12", "--frames", "1", "--stats", "s.json"});
+  const Json picture = read_json(folder / "s.json").at("pictures").at(0);
+  const Json& counters = picture.at("counters");
+  run({"scene", "notes", "sphere/inside", "--frames", "1", "-o", "n.md"});
+  const std::string text = read_file(folder / "n.md");
+  EXPECT_THAT(text, HasSubstr("`racebeam scene notes inside --frames 1`\n"));
+  const std::string clocks =
+      fmt::format("{:.1f}", picture.at("per_pixel").at("clocks").get<double>());
+  EXPECT_THAT(
+      text,
+      HasSubstr(fmt::format(
+          "\n| inside | 1 of 24 | 3 | 2 | 1/1/planes | {} | {} | {} | {} | {} | {} | ", clocks,
+          clocks, counters.at("primary_rays").get<int>(), counters.at("reflected_rays").get<int>(),
+          counters.at("shadow_rays").get<int>(), counters.at("overflows").get<int>())));
+  EXPECT_THAT(text, EndsWith(" | 1.5 % |\n")) << "the bound with planes";
+}
+
+TEST_F(CliSphereTest, NotesAreOfOneEngine) {
+  EXPECT_EQ(refused({"scene", "notes", "demo", "sphere/four", "-o", "n.md"}),
+            "racebeam: demo is a scene for beam, four one for sphere; write notes of each engine's "
+            "apart\n");
+  EXPECT_EQ(folder.files(), 0);
 }
 
 TEST_F(CliSphereTest, FaultsHaveLineColumnAndHelp) {

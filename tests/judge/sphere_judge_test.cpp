@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> scene_files() {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(RACEBEAM_SOURCE_DIR "/scenes/sphere"))
-    files.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".toml") files.push_back(entry.path().stem().string());
   return files;
 }
 
