@@ -16,14 +16,14 @@
 
 namespace racebeam {
 
-struct DemoFrames {
+struct DemoFigures {
   std::vector<std::string> names;
   std::vector<std::vector<double>> figures;  ///< by name, of each frame
 };
 
-inline DemoFrames demo_frames() {
+inline DemoFigures demo_frames() {
   std::ifstream file(RACEBEAM_SOURCE_DIR "/tests/sweep/demo_frames.csv");
-  DemoFrames demo;
+  DemoFigures demo;
   std::string line, field;
   std::getline(file, line);
   std::istringstream head(line);

@@ -4,9 +4,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
+#include <ostream>
 #include <random>
+#include <string>
 
+#include "sc/beam/engine.h"
+#include "tb/bench/tlm_bench.h"
+#include "tb/show/open_show.h"
 #include "tb/sweep/frame_order.h"
+#include "tb/sweep/sweep_file.h"
 #include "tests/sweep/demo_frames.h"
 
 namespace racebeam {
@@ -41,7 +48,7 @@ class CoverageTest : public testing::Test {
     });
   }
 
-  const DemoFrames demo_ = demo_frames();
+  const DemoFigures demo_ = demo_frames();
 };
 
 TEST_F(CoverageTest, HasTheDemo) {
@@ -104,6 +111,58 @@ TEST_F(CoverageTest, ChangesAreSeenThatMeansHide) {
   EXPECT_LT(difference_of(b, a).high(), 0);
   EXPECT_LT(ratio_of(b, a).high(), 1);
 }
+
+struct Point {
+  const char* name;
+  int knobs::*knob;
+  int value;
+};
+void PrintTo(const Point& point, std::ostream* out) { *out << point.name; }
+
+/// All frames of the demo that a sweep may take, of a point; a minute and a half.
+class LongCoverageTest : public CoverageTest, public testing::WithParamInterface<Point> {
+ protected:
+  static constexpr std::array Counters = {"decisions", "bisection_steps", "emits", "rooms_entered",
+                                          "starved_pixels"};
+
+  static std::array<Figure, Counters.size()> figures_of(const knobs& k) {
+    const std::vector<counter_info>& counted = beam_engine().counters;
+    std::array<std::size_t, Counters.size()> places{};
+    for (std::size_t n = 0; n < Counters.size(); ++n)
+      while (counted.at(places[n]).name != std::string(Counters[n])) ++places[n];
+    std::array<Figure, Counters.size()> figures;
+    const Show show = open_show("demo");
+    TlmBench chip({k, true});
+    for (int frame = 0; frame < show.frames(); ++frame) {
+      if (SweepFrames().skips(show.part(frame))) continue;
+      chip.seek(frame);
+      const ChipBench::Frame rendered = chip.render();
+      for (std::size_t n = 0; n < Counters.size(); ++n)
+        figures[n].push_back(static_cast<double>(rendered.stats->counters[places[n]]));
+    }
+    return figures;
+  }
+};
+
+TEST_P(LongCoverageTest, MeansOf256FramesHoldThoseOfAllFrames) {
+  knobs k;
+  if (GetParam().knob) k.*GetParam().knob = GetParam().value;
+  const auto figures = figures_of(k);
+  ASSERT_EQ(figures[0].size(), 11'135u);
+  double sum = 0;
+  for (std::size_t n = 0; n < Counters.size(); ++n) {
+    const double share = covered_mean(figures[n], 256);
+    EXPECT_GE(share, 0.85) << Counters[n];
+    sum += share;
+  }
+  EXPECT_GE(sum / Counters.size(), 0.93);
+}
+
+INSTANTIATE_TEST_SUITE_P(LongPoints, LongCoverageTest,
+                         testing::Values(Point{"chip", nullptr, 0},
+                                         Point{"hurry_64", &knobs::hurry_threshold, 64},
+                                         Point{"stack_4", &knobs::interval_stack_depth, 4}),
+                         [](const auto& info) { return info.param.name; });
 
 TEST_F(CoverageTest, WholeSceneIsTheTruth) {
   const Figure& figure = demo_.figures[3];
