@@ -11,14 +11,14 @@
 
 #include "sc/base/frame_counts.h"
 #include "sc/sphere/codes.h"
-#include "sc/store/store_knobs.h"
+#include "sc/store/store_counters.h"
 
 namespace racebeam {
 
 constexpr int SphereStates = 1 << SphereStateBits;
 
 /// From the first RAY to the last NEXT, unless said otherwise.
-struct sphere_counters {
+struct sphere_counters : store_counters {
   std::uint64_t clocks = 0;
   std::uint64_t host_clocks = 0;  ///< HOST, before it
   std::uint64_t frames = 0;       ///< of the raster, begun meanwhile
@@ -31,15 +31,10 @@ struct sphere_counters {
   std::uint64_t passes = 0;     ///< rays that met something: ADD
   std::uint64_t shadowed = 0;   ///< of the shadow rays
   std::uint64_t black_inside = 0;
-  std::uint64_t overflows = 0;  ///< rays of length 64 and more before they are normalised
-  std::uint64_t words = 0;      ///< into the write buffer
-  std::uint64_t buffer_stalls = 0;
-  std::uint64_t buffer_lost = 0;
-  std::uint64_t store_reads = 0, store_writes = 0;
+  std::uint64_t overflows = 0;    ///< rays of length 64 and more before they are normalised
   std::uint64_t host_faults = 0;  ///< since the picture before
   std::array<std::uint64_t, SphereStates>
       state_clocks{};  ///< by code; both clocks of REFLECT at 22
-  std::array<std::uint64_t, MaxWriteBuffer + 1> buffer_fill{};  ///< clocks with so many words
 };
 
 /// The word of a state in waves: "HOST"; the code, if it has none.

@@ -9,7 +9,7 @@ sphere_core::sphere_core(const sphere_knobs& k, const sphere_tables& tables,
     : knobs_(k.resolved()),
       tables_(tables),
       rays_(knobs_, table_, tables.planes, inputs_),
-      store_(knobs_) {
+      store_(knobs_.store(), knobs_.clocks_per_pixel) {
   reset(board);
 }
 

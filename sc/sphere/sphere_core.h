@@ -14,7 +14,7 @@
 #include "sc/sphere/first_hit.h"
 #include "sc/sphere/sphere_host_link_core.h"
 #include "sc/sphere/sphere_rays.h"
-#include "sc/sphere/sphere_store.h"
+#include "sc/store/frame_store.h"
 
 namespace racebeam {
 
@@ -65,7 +65,7 @@ class sphere_core {
   int address(int x, int y) const { return y << (knobs_.wide ? 10 : 9) | x; }
   int columns() const { return knobs_.columns(drawn_narrow_); }  ///< of that picture
   int rows() const { return knobs_.rows(drawn_narrow_); }
-  const sphere_store& store() const { return store_; }
+  const frame_store& store() const { return store_; }
   const sphere_inputs_core& inputs() const { return inputs_; }
   const sphere_table_core& table() const { return table_; }
 
@@ -82,7 +82,7 @@ class sphere_core {
   sphere_host_link_core link_;
   sphere_table_core table_;
   sphere_rays rays_;
-  sphere_store store_;
+  frame_store store_;
   sphere_counters counters_;
   sphere_counters host_;  // of the HOST that is on
   bool drawn_narrow_ = false;

@@ -48,7 +48,7 @@ struct store_knobs {
   // An engine sets these.
   int store_format = StoreRgbLight;  ///< store_format_rule
   int colour_bits = 5;               ///< a channel, 4..8; StoreRgbLight only
-  int picture_width = 512;           ///< columns, up to 640; whole groups of 8
+  int picture_width = 512;           ///< columns, whole groups of 8; the beam shows 640
   int picture_height = 480;          ///< rows; StorePlanar only: the size of a plane
 
   /// Bits of an address and of a word that are kept: the low ones of the ports.

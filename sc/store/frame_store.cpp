@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "sc/sphere/sphere_store.h"
+#include "sc/store/frame_store.h"
 
 #include <algorithm>
 
@@ -17,19 +17,20 @@ constexpr int VsyncLine = FrameLines - 2;  // vsync falls at the end of its hsyn
 
 }  // namespace
 
-sphere_store::sphere_store(const sphere_knobs& k)
+frame_store::frame_store(const store_knobs& k, int clocks_per_pixel)
     : k_(k),
-      store_(k.store()),
-      line_clocks_(std::int64_t{LinePixels} * k.clocks_per_pixel),
+      clocks_per_pixel_(clocks_per_pixel),
+      shown_(k.wrap_right ? VisibleColumns : std::min(k.picture_width, VisibleColumns)),
+      line_clocks_(std::int64_t{LinePixels} * clocks_per_pixel),
       frame_clocks_(line_clocks_ * FrameLines),
-      memory_(std::size_t{1} << store_.address_bits()) {}
+      memory_(std::size_t{1} << k.address_bits()) {}
 
 // In which run of like clocks clock_ is.
-void sphere_store::find_run() {
+void frame_store::find_run() {
   const std::int64_t in_frame = clock_ % frame_clocks_;
   const int line = static_cast<int>(in_frame / line_clocks_);
   const std::int64_t begin = clock_ - in_frame % line_clocks_;  // of the line
-  const int n = k_.clocks_per_pixel;
+  const int n = clocks_per_pixel_;
   const int at = static_cast<int>(clock_ - begin), pixel = at / n;
   const bool visible = line >= FirstVisible && line < FirstVisible + VisibleRows;
   int end = LinePixels * n;
@@ -45,28 +46,28 @@ void sphere_store::find_run() {
   } else if (k_.write_policy == WritePolicyBlanking) {
     open_ = false;
   } else {
-    // The beam reads in the first clock of a pixel that it shows.
-    const int shown = k_.wrap_right ? VisibleColumns : store_.picture_width;
-    open_ = pixel >= ActiveBegins + shown || at % n != 0;
-    if (pixel < ActiveBegins + shown)
-      end = n == 1 ? (ActiveBegins + shown) * n : open_ ? (pixel + 1) * n : at + 1;
+    // The beam reads in the first clocks of each group that it shows.
+    const int reads = k_.group_words(), group = k_.group_pixels() * n;
+    const int shown_end = (ActiveBegins + shown_) * n, in_group = (at - ActiveBegins * n) % group;
+    open_ = at >= shown_end || in_group >= reads;
+    if (at < shown_end) end = reads == group ? shown_end : at - in_group + (open_ ? group : reads);
   }
   run_end_ = begin + end;
 }
 
-bool sphere_store::may_write() {
+bool frame_store::may_write() {
   if (clock_ >= run_end_) find_run();
   return open_;
 }
 
-void sphere_store::take(sphere_counters* n) {
+void frame_store::take(store_counters* n) {
   memory_[static_cast<std::size_t>(buffer_.take().address)] = buffer_.take().data;
-  buffer_.clock({true, false, {}, true}, store_);
+  buffer_.clock({true, false, {}, true}, k_);
   --fill_;
   if (n) ++n->store_writes;
 }
 
-void sphere_store::go_to(std::int64_t clock, sphere_counters* n) {
+void frame_store::go_to(std::int64_t clock, store_counters* n) {
   while (clock_ < clock) {
     const bool takes = fill_ && may_write();
     const std::int64_t end = fill_ == 0 ? clock : takes ? clock_ + 1 : std::min(clock, run_end_);
@@ -77,47 +78,56 @@ void sphere_store::go_to(std::int64_t clock, sphere_counters* n) {
   }
 }
 
-int sphere_store::put(int address, std::uint64_t word, sphere_counters& n) {
-  const std::int64_t offered = clock_;
-  while (fill_ == k_.write_buffer_depth && k_.when_full == WhenFullStall && !may_write())
-    go_to(run_end_, &n);
-  const int waited = static_cast<int>(clock_ - offered);
-  const bool ready = may_write();
-  const write_buffer_core::inputs in{true, true, {address, word}, ready};
+bool frame_store::offer(int address, std::uint64_t word, store_counters& n) {
   ++n.buffer_fill[static_cast<std::size_t>(fill_)];
-  if (ready && fill_) {
-    memory_[static_cast<std::size_t>(buffer_.take().address)] = buffer_.take().data;
-    ++n.store_writes;
+  const bool waits = must_wait(), ready = may_write();
+  if (waits) {
+    ++n.buffer_stalls;
+  } else {
+    const write_buffer_core::inputs in{true, true, {address, word}, ready};
+    if (ready && fill_) {
+      memory_[static_cast<std::size_t>(buffer_.take().address)] = buffer_.take().data;
+      ++n.store_writes;
+    }
+    n.buffer_lost += static_cast<std::uint64_t>(buffer_.lost(in, k_));
+    buffer_.clock(in, k_);
+    fill_ = buffer_.fill(k_);
+    ++n.words;
   }
-  n.buffer_lost += static_cast<std::uint64_t>(buffer_.lost(in, store_));
-  buffer_.clock(in, store_);
-  fill_ = buffer_.fill(store_);
-  ++n.words;
-  n.buffer_stalls += static_cast<std::uint64_t>(waited);
   ++clock_;
+  return !waits;
+}
+
+int frame_store::put(int address, std::uint64_t word, store_counters& n) {
+  const std::int64_t offered = clock_;
+  while (must_wait()) go_to(run_end_, &n);
+  const int waited = static_cast<int>(clock_ - offered);
+  n.buffer_stalls += static_cast<std::uint64_t>(waited);
+  offer(address, word, n);
   return waited;
 }
 
-std::uint64_t sphere_store::reads_before(std::int64_t clock) const {
-  const std::int64_t shown = k_.wrap_right ? VisibleColumns : store_.picture_width;
+std::uint64_t frame_store::reads_before(std::int64_t clock) const {
+  const std::int64_t reads = k_.group_words(), group = k_.group_pixels() * clocks_per_pixel_;
+  const std::int64_t groups = shown_ / k_.group_pixels();  // of a line
   const std::int64_t in_frame = clock % frame_clocks_;
   const std::int64_t line = in_frame / line_clocks_;
-  const std::int64_t at =
-      in_frame % line_clocks_ - std::int64_t{ActiveBegins} * k_.clocks_per_pixel;
-  const std::int64_t begun = (at + k_.clocks_per_pixel - 1) / k_.clocks_per_pixel;
+  const std::int64_t at = in_frame % line_clocks_ - std::int64_t{ActiveBegins} * clocks_per_pixel_;
   const bool visible = line >= FirstVisible && line < FirstVisible + VisibleRows;
   const std::int64_t whole = std::clamp<std::int64_t>(line - FirstVisible, 0, VisibleRows);
-  const std::int64_t part = visible && at > 0 ? std::min(begun, shown) : 0;
-  return static_cast<std::uint64_t>(clock / frame_clocks_ * VisibleRows * shown + whole * shown +
-                                    part);
+  const std::int64_t begun = std::min(at / group, groups);
+  const std::int64_t last = begun < groups ? std::min(at % group, reads) : 0;
+  const std::int64_t part = visible && at > 0 ? begun * reads + last : 0;
+  const std::int64_t lines = clock / frame_clocks_ * VisibleRows + whole;
+  return static_cast<std::uint64_t>(lines * groups * reads + part);
 }
 
-std::vector<std::uint64_t> sphere_store::picture() const {
+std::vector<std::uint64_t> frame_store::picture() const {
   std::vector<std::uint64_t> all = memory_;
   write_buffer_core left = buffer_;
   while (left.take_valid()) {
     all[static_cast<std::size_t>(left.take().address)] = left.take().data;
-    left.clock({true, false, {}, true}, store_);
+    left.clock({true, false, {}, true}, k_);
   }
   return all;
 }

@@ -1,4 +1,4 @@
-// sphere_store: the words of a picture on their way into the frame store, for the tlm level.
+// frame_store: the words of a picture on their way into the frame store, for the tlm level.
 //
 // A closed form of vga_timing, frame_scanout's reads and store_arbiter around write_buffer_core:
 // when the buffer may write follows from the clock alone. The raster is vga_timing's; clock 0 is
@@ -12,23 +12,25 @@
 #include <cstdint>
 #include <vector>
 
-#include "sc/sphere/counters.h"
-#include "sc/sphere/knobs.h"
+#include "sc/store/store_counters.h"
 #include "sc/store/write_buffer.h"
 
 namespace racebeam {
 
-class sphere_store {
+class frame_store {
  public:
-  explicit sphere_store(const sphere_knobs& k);
+  /// `clocks_per_pixel`: of the raster.
+  frame_store(const store_knobs& k, int clocks_per_pixel);
 
   /// The clock that is next.
   std::int64_t clock() const { return clock_; }
   /// Goes on to a clock: takes from the buffer what may be taken before it. `n`: what to count in,
   /// or nullptr.
-  void go_to(std::int64_t clock, sphere_counters* n);
-  /// A word offered in this clock: it waits, goes in, and the clock is over; the clocks waited.
-  int put(int address, std::uint64_t word, sphere_counters& n);
+  void go_to(std::int64_t clock, store_counters* n);
+  /// A word offered in this clock, which is over then; whether it went in.
+  bool offer(int address, std::uint64_t word, store_counters& n);
+  /// The same until it is in; the clocks waited.
+  int put(int address, std::uint64_t word, store_counters& n);
 
   /// Clocks in which the beam reads, and frames begun, before a clock.
   std::uint64_t reads_before(std::int64_t clock) const;
@@ -48,10 +50,14 @@ class sphere_store {
  private:
   void find_run();
   bool may_write();
-  void take(sphere_counters* n);
+  bool must_wait() {
+    return fill_ == k_.write_buffer_depth && k_.when_full == WhenFullStall && !may_write();
+  }
+  void take(store_counters* n);
 
-  const sphere_knobs k_;
-  const store_knobs store_;
+  const store_knobs k_;
+  const int clocks_per_pixel_;
+  const int shown_;  // columns of the picture that the beam shows
   const std::int64_t line_clocks_, frame_clocks_;
   write_buffer_core buffer_;
   int fill_ = 0;
