@@ -26,8 +26,9 @@ struct histogram_info {
   const char* name;
   const char* most;  ///< the knob that is the largest value that can be; nullptr: `limit`
   int limit = 0;
+  int less = 0;  ///< the largest value is so much less than the knob
 
-  int largest(const knob_values& k) const { return most ? k.of(most) : limit; }
+  int largest(const knob_values& k) const { return most ? k.of(most) - less : limit; }
 };
 
 /// A clock of each visible line, or another number of it; -1: it never came.

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "sc/block/codes.h"
+#include "sc/store/store_knob_rows.h"
 
 namespace racebeam {
 
@@ -83,6 +84,25 @@ const std::vector<knob_of<block_knobs>>& block_knob_table() {
         "of the picture",
         "article \"Summing Up\""},
        &k::size},
+      {write_buffer_depth_row(), &k::write_buffer_depth},
+      {write_policy_row(), &k::write_policy},
+      {when_full_row(), &k::when_full},
+      {{"time_skip",
+        0,
+        16,
+        {},
+        "steps",
+        "of time between a picture and the next",
+        "article \"Command and Control\""},
+       &k::time_skip},
+      {{"load_bar",
+        0,
+        1,
+        {"off", "on"},
+        "",
+        "a row of squares in the picture, one a core: how busy it was",
+        "article \"Command and Control\""},
+       &k::load_bar},
   };
   static_assert(std::size(rows) * sizeof(int) == sizeof(block_knobs), "a knob has no row");
   static const std::vector<knob_of<block_knobs>> table(std::begin(rows), std::end(rows));

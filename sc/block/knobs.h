@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sc/base/knob_values.h"
+#include "sc/store/store_knobs.h"
 
 namespace racebeam {
 
@@ -23,6 +24,13 @@ struct block_knobs {
   int background = 0;
   int fraction_bits = 20;
   int size = BlockSize640;
+  int write_buffer_depth = 64;
+  int write_policy = WritePolicyFree;
+  int when_full = WhenFullStall;
+  int time_skip = 1;
+  int load_bar = 0;
+
+  static constexpr int clocks_per_pixel = 2;  ///< of the raster
 
   block_knobs() = default;
   /// Throws std::logic_error if they are another engine's.
@@ -35,6 +43,17 @@ struct block_knobs {
   /// The clocks of a unit vector.
   int normalise_clocks() const { return 3 + 3 * newton_steps; }
   int shade_clocks() const { return 9 + specular_squarings + 2 * normalise_clocks(); }
+  /// Those of the frame store.
+  store_knobs store() const {
+    store_knobs s;
+    s.write_buffer_depth = write_buffer_depth;
+    s.write_policy = write_policy;
+    s.when_full = when_full;
+    s.store_format = StorePlanar;
+    s.picture_width = columns();
+    s.picture_height = rows();
+    return s;
+  }
 };
 
 /// All knobs: a member without a row does not compile.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sc/store/store_knob_rows.h"
+
 namespace racebeam {
 
 const std::vector<sphere_knob_info>& sphere_knob_table() {
@@ -45,30 +47,9 @@ const std::vector<sphere_knob_info>& sphere_knob_table() {
         "sphere table; the light has one of them",
         "report \"Communication\""},
        &k::table_entries},
-      {{"write_buffer_depth",
-        1,
-        128,
-        {},
-        "entries",
-        "words that wait for the frame store",
-        "report \"Write Buffer\""},
-       &k::write_buffer_depth},
-      {{"write_policy",
-        0,
-        2,
-        {"sync", "blanking", "free"},
-        "",
-        "when the tracer may write: in syncs, in all blanking, whenever the beam does not read",
-        "report \"VGA/SRAM\""},
-       &k::write_policy},
-      {{"when_full",
-        0,
-        1,
-        {"stall", "drop"},
-        "",
-        "a word that finds the write buffer full: the tracer waits, or the buffer's words are lost",
-        "report \"Write Buffer\""},
-       &k::when_full},
+      {write_buffer_depth_row(), &k::write_buffer_depth},
+      {write_policy_row(), &k::write_policy},
+      {when_full_row(), &k::when_full},
       {{"write_each_pass", 0, 1, switched, "",
         "a word is written after every ray that met something and every sub-ray, not once a pixel",
         "report \"State Machine\""},

@@ -45,16 +45,6 @@ void sphere_core::load(const std::vector<sphere_row>& spheres) {
   }
 }
 
-void sphere_core::await_frame() {
-  const std::int64_t frame = store_.frame_clocks();
-  const auto to_next = [&](std::int64_t clock) {
-    store_.go_to((clock + frame - 1) / frame * frame, nullptr);
-  };
-  to_next(store_.clock());
-  while (store_.buffer().take_valid()) to_next(store_.clock() + 1);
-  store_.clear();
-}
-
 void sphere_core::reset(const sphere_board& board) {
   inputs_.clock({false, board.sw, board.key_n, false}, tables_.start);
   link_ = {};

@@ -42,7 +42,7 @@ class sphere_core {
   void load(const std::vector<sphere_row>& spheres);
   /// In HOST: on to the next frame of the raster in whose first clock the write buffer is empty,
   /// and the frame store is made black (back door).
-  void await_frame();
+  void await_frame() { store_.await_frame(); }
   /// In HOST: KEY3 is pressed and let go, with the board like this; the raster goes on.
   void reset(const sphere_board& board);
   /// In HOST: eye, light, screen and modes become these (back door).

@@ -78,6 +78,15 @@ void frame_store::go_to(std::int64_t clock, store_counters* n) {
   }
 }
 
+void frame_store::await_frame() {
+  const auto to_next_frame = [&](std::int64_t clock) {
+    go_to((clock + frame_clocks_ - 1) / frame_clocks_ * frame_clocks_, nullptr);
+  };
+  to_next_frame(clock_);
+  while (buffer_.take_valid()) to_next_frame(clock_ + 1);
+  std::fill(memory_.begin(), memory_.end(), 0);
+}
+
 bool frame_store::offer(int address, std::uint64_t word, store_counters& n) {
   ++n.buffer_fill[static_cast<std::size_t>(fill_)];
   const bool waits = must_wait(), ready = may_write();

@@ -27,6 +27,9 @@ class frame_store {
   /// Goes on to a clock: takes from the buffer what may be taken before it. `n`: what to count in,
   /// or nullptr.
   void go_to(std::int64_t clock, store_counters* n);
+  /// On to the next frame in whose first clock the write buffer is empty, and the memory becomes
+  /// black (back door).
+  void await_frame();
   /// A word offered in this clock, which is over then; whether it went in.
   bool offer(int address, std::uint64_t word, store_counters& n);
   /// The same until it is in; the clocks waited.
@@ -39,8 +42,6 @@ class frame_store {
   }
   std::int64_t frame_clocks() const { return frame_clocks_; }
 
-  /// The memory becomes black (back door).
-  void clear() { std::fill(memory_.begin(), memory_.end(), 0); }
   /// The memory, and what the write buffer has for it.
   const std::vector<std::uint64_t>& memory() const { return memory_; }
   const write_buffer_core& buffer() const { return buffer_; }
