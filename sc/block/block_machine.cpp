@@ -7,8 +7,6 @@ namespace racebeam {
 block_machine::block_machine(const block_knobs& k)
     : knobs_(k), store_(k.store(), block_knobs::clocks_per_pixel) {}
 
-void block_machine::await_frame() { store_.await_frame(); }
-
 void block_machine::draw(const block_tables& tables) {
   constexpr int StartClocks = 1;
   const int sent = host_clocks(tables.balls.size());

@@ -20,7 +20,9 @@ class block_machine {
 
   /// On to the next frame of the raster in whose first clock the write buffer is empty, and the
   /// frame store is made black (back door).
-  void await_frame();
+  void await_frame() { store_.await_frame(); }
+  /// On to a clock; what is in the write buffer goes on its way.
+  void go_to(std::int64_t clock) { store_.go_to(clock, nullptr); }
   /// The host sends a scene, a number a clock, and starts; the picture is drawn.
   void draw(const block_tables& tables);
   /// Of the picture drawn last, and of what the host sent for it.

@@ -1,10 +1,7 @@
 // tlm_sphere_map: the addresses of tlm_sphere's sockets. Words of 32 bits, little endian.
 //
-// display_socket writes, no byte enables, when a picture is drawn:
-//   1920 * row          3 * columns bytes  a row, from 0: red, green, blue of each column, 8 bits
-//                       each
-//   SphereDisplayPicture  3 words  after the last row: number of the picture, from 0; columns; rows
-// So a memory of 921,612 bytes is a display.
+// display_socket: as tlm_picture_chip has it, of 640 x 480 at most; a memory of 921,612 bytes is a
+// display.
 //
 // host_socket is what the CPU's wires are to sphere_host_link: a sphere is 11 words.
 // register_socket: aligned, any number of words in a row.
@@ -15,12 +12,7 @@
 
 #include <cstdint>
 
-#include "sc/base/constants.h"
-
 namespace racebeam {
-
-constexpr std::uint64_t SphereDisplayPitch = std::uint64_t{3} * VisibleColumns;
-constexpr std::uint64_t SphereDisplayPicture = SphereDisplayPitch * VisibleRows;
 
 enum sphere_host_address : std::uint64_t {
   // Write only; the low bits are taken.

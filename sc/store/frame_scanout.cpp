@@ -27,8 +27,17 @@ frame_scanout_core::colour frame_scanout_core::unpack(std::uint64_t word, const 
           channel(word, 0, bits) | low};
 }
 
+frame_scanout_core::colour frame_scanout_core::pixel(const std::vector<std::uint64_t>& words,
+                                                     int row, int column, const store_knobs& k) {
+  const auto word = [&](int plane) {
+    return words[static_cast<std::size_t>(address(row, column, plane, k))];
+  };
+  if (k.store_format != StorePlanar) return unpack(word(0), k);
+  const int low = column % 8 * 8;
+  return {byte(word(0), low), byte(word(1), low), byte(word(2), low)};
+}
+
 int frame_scanout_core::address(int row, int column, int plane, const store_knobs& k) {
-  row &= low_bits(9);
   if (k.store_format != StorePlanar)
     return row << k.column_bits() | (column & low_bits(k.column_bits()));
   return ((plane * k.picture_height + row) * (k.picture_width / 8) + column / 8) &
@@ -41,7 +50,8 @@ bool frame_scanout_core::group_begins(bool active, const store_knobs& k) const {
 
 frame_scanout_core::read frame_scanout_core::reads(bool active, int y, const store_knobs& k) const {
   const bool begins = group_begins(active, k);
-  return {begins || word_q != 0, address(y - FirstVisibleLine, column_q, begins ? 0 : word_q, k)};
+  return {begins || word_q != 0,
+          address((y - FirstVisibleLine) & low_bits(9), column_q, begins ? 0 : word_q, k)};
 }
 
 // A word of the group on show, its pixel lowest.

@@ -35,6 +35,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "sc/base/constants.h"
 #include "sc/base/fixed_point.h"
@@ -86,6 +87,9 @@ struct frame_scanout_core {
 
   /// The colour of a word with a pixel of its own.
   static colour unpack(std::uint64_t word, const store_knobs& k);
+  /// The colour of a pixel of a picture that the memory `words` holds, by address.
+  static colour pixel(const std::vector<std::uint64_t>& words, int row, int column,
+                      const store_knobs& k);
   /// The address of a word of a pixel; of its plane, if planar.
   static int address(int row, int column, int plane, const store_knobs& k);
 

@@ -59,7 +59,7 @@ TEST_P(SphereCpuTest, TablesOverTlmAreTheProgramsWhateverTheDelays) {
   const sc_core::sc_time clock(clock_period_ps(1), sc_core::SC_PS);
   const sphere_tables tables;
   tlm_sphere tracer("tracer", {}, tables, {TurnZ, 15});
-  SphereDisplay shown("shown");
+  PictureDisplay shown("shown", VisibleColumns, VisibleRows);
   SphereSocketWires wires("wires");
   SphereCpu cpu("cpu", wires, three_spheres(), random_pause(GetParam(), 90, clock));
   tracer.display_socket.bind(shown.socket);

@@ -15,7 +15,7 @@ constexpr auto Write = tlm::TLM_WRITE_COMMAND, Read = tlm::TLM_READ_COMMAND;
 using TlmSphere = SpherePlatform;
 
 /// The words of scene four, each burst two clocks after the last.
-void send_four(SphereInitiator& host, const sc_core::sc_time& clock) {
+void send_four(WordInitiator& host, const sc_core::sc_time& clock) {
   const std::vector<sphere_row> spheres = four_spheres();
   const auto word = [](int value) { return static_cast<std::uint32_t>(value); };
   for (int n = 0; n < 4; ++n) {
@@ -62,7 +62,7 @@ TEST_F(TlmSphere, PictureCountersAndTimeAreTheCores) {
     for (int x = 0; x < 320; ++x) {
       const auto word = words[static_cast<std::size_t>(core.address(x, y))];
       const int dac = static_cast<int>(word >> 10 & 31) << 5 | (word >> 15 ? 31 : 0);
-      ASSERT_EQ(display.bytes[SphereDisplayPitch * y + 3u * x], dac >> 2) << x << "," << y;
+      ASSERT_EQ(display.bytes[3u * (VisibleColumns * y + x)], dac >> 2) << x << "," << y;
     }
 }
 

@@ -11,66 +11,11 @@
 
 #include "tb/monitor/vga_monitor.h"
 #include "tb/twin/unit_bench.h"
+#include "tests/store/frame_store_loop.h"
 #include "tests/store/frame_store_rig.h"
 
 namespace racebeam {
 namespace {
-
-/// What a clock looks like from outside, and between the units.
-struct Clock {
-  bool put_ready, take_valid, take_ready, mem_write;
-  int fill, mem_address, red, green, blue;
-  bool hsync_n, vsync_n;
-
-  std::vector<int> all() const {
-    return {put_ready, take_valid, take_ready, mem_write, fill,   mem_address,
-            red,       green,      blue,       hsync_n,   vsync_n};
-  }
-};
-
-/// The cores in a plain loop.
-class Cores {
- public:
-  Cores(const store_knobs& k, int clocks_per_pixel)
-      : k_(k), clocks_per_pixel_(clocks_per_pixel), memory_(k) {}
-
-  /// One clock, with a word on offer or none.
-  Clock clock(bool rst_n, bool put, const write_buffer_core::entry& word) {
-    const auto beam = vga_.comb({rst_n, 0}, clocks_per_pixel_);
-    const auto read = scanout_.reads(beam.active, beam.y, k_);
-    const bool ready = store_arbiter_core::take_ready(read.valid, !beam.hsync_n || !beam.vsync_n,
-                                                      !beam.active, k_);
-    const auto take = buffer_.take();
-    const auto colour = scanout_.shows(memory_.data_q, k_);
-    const bool write = ready && buffer_.take_valid();
-    const Clock now{buffer_.put_ready(ready, k_),
-                    buffer_.take_valid(),
-                    ready,
-                    write,
-                    buffer_.fill(k_),
-                    write ? take.address : read.address,
-                    colour.red,
-                    colour.green,
-                    colour.blue,
-                    scanout_.at_pins(k_).hsync_n,
-                    scanout_.at_pins(k_).vsync_n};
-    scanout_.clock({rst_n, beam.consume, beam.active, beam.line_end, beam.y, beam.hsync_n,
-                    beam.vsync_n, memory_.data_q},
-                   k_);
-    memory_.clock({write, now.mem_address, take.data}, k_);
-    buffer_.clock({rst_n, put, word, ready}, k_);
-    vga_.clock({rst_n, 0}, clocks_per_pixel_);
-    return now;
-  }
-
- private:
-  const store_knobs k_;
-  const int clocks_per_pixel_;
-  vga_timing_core vga_;
-  write_buffer_core buffer_;
-  frame_memory_core memory_;
-  frame_scanout_core scanout_;
-};
 
 template <class Kind>
 class FrameStoreTest : public testing::Test {
@@ -81,7 +26,7 @@ class FrameStoreTest : public testing::Test {
   }
   UnitBench::Pin& pin(const char* name) { return (*bench)[name]; }
   int value(const char* name) { return static_cast<int>(pin(name).value()); }
-  Clock now() {
+  StoreClock now() {
     return {value("put_ready_o") != 0,
             rig->take_valid.read(),
             rig->take_ready.read(),
@@ -98,7 +43,7 @@ class FrameStoreTest : public testing::Test {
   /// Random words, offered with pauses, beside the cores.
   void agrees_with_the_cores(const store_knobs& k, int clocks_per_pixel, int clocks) {
     build(k, clocks_per_pixel);
-    Cores cores(k, clocks_per_pixel);
+    FrameStoreLoop cores(k, clocks_per_pixel);
     const unsigned seed = 5 + k.write_policy;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
@@ -112,7 +57,7 @@ class FrameStoreTest : public testing::Test {
       pin("put_address_i").drive(static_cast<std::uint64_t>(word.address));
       pin("put_data_i").drive(word.data);
       bench->settle();
-      const Clock got = now(), want = cores.clock(rst_n, put, word);
+      const StoreClock got = now(), want = cores.clock(rst_n, put, word);
       bench->clock();
       if (n == 0) continue;  // before any edge
       ASSERT_EQ(got.all(), want.all()) << "clock " << n;
