@@ -3,7 +3,7 @@
 
 # The sources that can change what a frame counts, or the picture that is meant, by engine: folders,
 # and files by a pattern.
-set(MODEL_ENGINES beam sphere)
+set(MODEL_ENGINES beam sphere block)
 set(MODEL_OF_beam
     sc/base
     sc/video
@@ -37,17 +37,30 @@ set(MODEL_OF_sphere
     sc/video
     sc/store
     sc/sphere
-    tb/host
+    tb/host/ball_motion.*
+    tb/host/sphere_*
     tb/golden/sphere_golden.*
     tb/scene/sphere_scene*
     tb/scene/table_reader.*
     tb/scene/toml_tree.*
     tb/bench/sphere_bench.*
     tb/bench/sphere_tlm_bench.*
-    tb/bench/sphere_pins.*
+    tb/bench/store_pins.*
     tb/judge/sphere_judge.*
     tb/sweep/columns.*
     tb/sweep/sphere_frame_judge.*)
+set(MODEL_OF_block
+    sc/base
+    sc/video
+    sc/store
+    sc/block
+    tb/host/ball_motion.*
+    tb/host/block_program.*
+    tb/host/load_bar.*
+    tb/golden/block_golden.*
+    tb/bench/block_bench.*
+    tb/bench/block_tlm_bench.*
+    tb/bench/store_pins.*)
 
 # model_sources(<engine> <root> <variable>): those files, seen from <root>
 function(model_sources engine root variable)

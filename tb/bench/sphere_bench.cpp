@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/bench/sphere_bench.h"
 
-#include <zlib.h>
-
 #include "tb/bench/sphere_signal_bench.h"
 #include "tb/bench/sphere_tlm_bench.h"
+#include "tb/bench/store_pins.h"
 
 namespace racebeam {
 
@@ -27,9 +26,7 @@ VgaFrame sphere_picture(int picture, const std::vector<std::uint64_t>& words, bo
     for (int x = 0; x < drawn.width; ++x)
       drawn.push(static_cast<std::uint32_t>(words[static_cast<std::size_t>(y << column_bits | x)] &
                                             colour));
-  if (wishes.crc)
-    drawn.image_crc = static_cast<std::uint32_t>(
-        crc32(0, drawn.colours.data(), static_cast<uInt>(drawn.colours.size())));
+  if (wishes.crc) drawn.image_crc = image_crc(drawn);
   return drawn;
 }
 

@@ -3,7 +3,7 @@
 #include "tb/bench/sphere_tlm_bench.h"
 
 #include "tb/bench/sphere_bench.h"
-#include "tb/bench/sphere_pins.h"
+#include "tb/bench/store_pins.h"
 #include "tb/host/sphere_words.h"
 
 namespace racebeam {
@@ -54,7 +54,8 @@ ChipBench::Frame SphereTlmBench::render() {
               counted(n),
               {},
               {n.clocks, n.frames}};
-  if (wishes_.crc) frame.picture.pins_crc = sphere_pins_crc(drawn, knobs_);
+  if (wishes_.crc)
+    frame.picture.pins_crc = store_pins_crc(drawn, knobs_.store(), knobs_.clocks_per_pixel);
   ++next_;
   return frame;
 }

@@ -8,16 +8,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
 #include "sc/sphere/knobs.h"
 #include "sc/sphere/sphere_scene.h"
+#include "tb/host/ball_motion.h"
 
 namespace racebeam {
-
-using Vector3 = std::array<double, 3>;
 
 struct MovingSphere {
   Vector3 centre{}, velocity{};
@@ -25,11 +23,6 @@ struct MovingSphere {
   sphere_colour colour{};
   int reflect = 0;  ///< of 4096
   int counter = 0;  ///< pictures until it collides again
-};
-
-/// What the centres stay in.
-struct MotionBox {
-  Vector3 low{-15, -15, 5}, high{15, 15, 35};
 };
 
 class SphereMotion {
@@ -47,9 +40,6 @@ class SphereMotion {
   std::vector<sphere_row> table() const;
 
  private:
-  void move();
-  void collide();
-  bool may_collide(const MovingSphere& a, const MovingSphere& b) const;
   void rotate(int rotz);
 
   std::vector<MovingSphere> spheres_;

@@ -5,12 +5,13 @@
 #include <stdexcept>
 
 #include "sc/beam/engine.h"
+#include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 
 namespace racebeam {
 
 const std::vector<const engine*>& engines() {
-  static const std::vector<const engine*> table = {&beam_engine(), &sphere_engine()};
+  static const std::vector<const engine*> table = {&beam_engine(), &sphere_engine(), &block_engine()};
   return table;
 }
 
