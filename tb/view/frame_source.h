@@ -82,6 +82,8 @@ class FrameSource {
   virtual std::optional<BoardPins> board() const { return {}; }
   /// It is like this from the next picture on.
   virtual void press(BoardPins) {}
+  /// Nothing can be pressed, flown or mapped.
+  virtual bool plain() const { return false; }
   /// The scene alone says what is on show: nobody has touched the board.
   virtual bool as_in_scene() const { return true; }
   /// What a frame sounds like if it is to be heard without being run, at SoundRate.

@@ -169,6 +169,7 @@ bool ViewControl::tile_key(const std::string& key) {
 bool ViewControl::press(const std::string& key) {
   if (state.inputs && tile_key(key)) return true;
   if (state.board && board_key(key)) return true;
+  if (state.plain && key_of_model(key)) return true;
   if (flight_key(key)) held_.insert(key);
   if (state.flying && flight_key(key)) {
     tapped_.insert(key);
@@ -236,9 +237,12 @@ const std::vector<KeyHelp>& ViewControl::help(KeyHelp::Chip chip) {
       if (row.chip == KeyHelp::Any || row.chip == chip) rows.push_back(row);
     return rows;
   };
-  static const std::vector<KeyHelp> model = rows_of(KeyHelp::Model), own = rows_of(KeyHelp::Tile),
-                                    board = rows_of(KeyHelp::Board);
-  return chip == KeyHelp::Tile ? own : chip == KeyHelp::Board ? board : model;
+  static const std::map<KeyHelp::Chip, std::vector<KeyHelp>> all = {
+      {KeyHelp::Model, rows_of(KeyHelp::Model)},
+      {KeyHelp::Tile, rows_of(KeyHelp::Tile)},
+      {KeyHelp::Board, rows_of(KeyHelp::Board)},
+      {KeyHelp::Plain, rows_of(KeyHelp::Plain)}};
+  return all.at(chip);
 }
 
 }  // namespace racebeam

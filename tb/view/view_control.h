@@ -51,13 +51,15 @@ struct ViewState {
   /// Switches and keys of the board, of a chip on one.
   std::optional<BoardPins> board;
   bool high_switches = false;  ///< the numbers are SW10 to SW17
+  bool plain = false;          ///< a chip without keys of its own
 };
 
 /// One row of the help.
 struct KeyHelp {
-  enum Chip { Any, Model, Tile, Board };
+  enum Chip { Any, Model, Tile, Board, Plain };
   std::string keys, meaning;
-  Chip chip = Any;  ///< that has the keys: a Tile is a chip of its own, a Board has switches
+  /// That has the keys: a Tile is a chip of its own, a Board has switches, a Plain one has none.
+  Chip chip = Any;
 };
 
 class ViewControl {
@@ -105,7 +107,10 @@ class ViewControl {
   /// Of the chip that is on show.
   const std::vector<KeyHelp>& help_on_show() const { return help(chip_of(state)); }
   static KeyHelp::Chip chip_of(const ViewState& state) {
-    return state.inputs ? KeyHelp::Tile : state.board ? KeyHelp::Board : KeyHelp::Model;
+    return state.inputs  ? KeyHelp::Tile
+           : state.board ? KeyHelp::Board
+           : state.plain ? KeyHelp::Plain
+                         : KeyHelp::Model;
   }
 
  private:

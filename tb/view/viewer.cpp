@@ -31,6 +31,7 @@ Viewer::Viewer(Stage stage, Options options)
   control.state.beam = !stage_.source->fast();
   control.state.inputs = stage_.source->inputs();
   control.state.board = stage_.source->board();
+  control.state.plain = stage_.source->plain();
 }
 
 // What the keys made of the inputs. While a frame is filled they wait: it has its own.
@@ -245,6 +246,7 @@ void Viewer::tick(double elapsed, const std::function<bool()>& in_time) {
   if (fill_) return;
   control.state.inputs = stage_.source->inputs();
   control.state.board = stage_.source->board();
+  control.state.plain = stage_.source->plain();
 }
 
 std::vector<float> Viewer::take_sound() {
