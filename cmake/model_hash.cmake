@@ -42,6 +42,7 @@ set(MODEL_OF_sphere
     tb/golden/sphere_golden.*
     tb/scene/sphere_scene*
     tb/scene/table_reader.*
+    tb/scene/tables_reader.*
     tb/scene/toml_tree.*
     tb/bench/sphere_bench.*
     tb/bench/sphere_tlm_bench.*
@@ -58,6 +59,10 @@ set(MODEL_OF_block
     tb/host/block_program.*
     tb/host/load_bar.*
     tb/golden/block_golden.*
+    tb/scene/block_scene*
+    tb/scene/table_reader.*
+    tb/scene/tables_reader.*
+    tb/scene/toml_tree.*
     tb/bench/block_bench.*
     tb/bench/block_tlm_bench.*
     tb/bench/store_pins.*)

@@ -11,7 +11,8 @@
 namespace racebeam {
 
 const std::vector<const engine*>& engines() {
-  static const std::vector<const engine*> table = {&beam_engine(), &sphere_engine(), &block_engine()};
+  static const std::vector<const engine*> table = {&beam_engine(), &sphere_engine(),
+                                                   &block_engine()};
   return table;
 }
 

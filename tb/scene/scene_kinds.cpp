@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "sc/beam/engine.h"
+#include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "tb/scene/beam_scene.h"
+#include "tb/scene/block_scene.h"
 #include "tb/scene/input_file.h"
 #include "tb/scene/sphere_scene.h"
 #include "tb/scene/starter_scene.h"
@@ -35,7 +37,8 @@ const SceneKind* kind_of(const TomlNode& root, const std::vector<SceneKind>& kin
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> table = {
       {beam_engine(), scene_keys(), read_beam_scene, starter_scene},
-      {sphere_engine(), sphere_scene_keys(), read_sphere_scene, starter_sphere_scene}};
+      {sphere_engine(), sphere_scene_keys(), read_sphere_scene, starter_sphere_scene},
+      {block_engine(), block_scene_keys(), read_block_scene, starter_block_scene}};
   return table;
 }
 

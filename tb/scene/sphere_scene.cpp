@@ -6,18 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "sc/sphere/engine.h"
 #include "tb/base/counted.h"
-#include "tb/scene/table_reader.h"
+#include "tb/scene/tables_reader.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int MaxPictures = 16383;
-constexpr double FarAway = 1000, Fastest = 64;
 constexpr int MaxRadius = 63, MaxSpheres = SphereEntries - 1, FullReflect = 4095;
 constexpr int Switches = 18, Keys = 4;
 constexpr int NarrowOff = 1 << 5, ReflectionsAt = 2;
@@ -33,57 +31,29 @@ std::vector<std::string> input_names() {
 
 int fixed(double number) { return static_cast<int>(std::lround(number * 4096)); }
 
-double length(const Vector3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
 /// Reads all; the tables of one kind at a time.
-class Reader {
+class Reader : TablesReader {
  public:
   Reader(const SceneText& file, SphereProgram& program, Faults& faults)
-      : root_(file.root), program_(program), faults_(faults) {}
+      : TablesReader(file.root, sphere_scene_keys(), faults), program_(program) {}
 
   void read() {
-    one("eye", &Reader::read_eye);
-    one("light", &Reader::read_light);
-    one("modes", &Reader::read_modes);
-    one("box", &Reader::read_box);
-    all("sphere", MaxSpheres, "the table holds the light as well", &Reader::read_sphere);
-    all("plane", PlaneEntries, "the table holds no more", &Reader::read_plane);
-    all("input", MaxPictures, "", &Reader::read_input);
+    one("eye", [this](const TableReader& eye) { read_eye(eye); });
+    one("light", [this](const TableReader& light) { read_light(light); });
+    one("modes", [this](const TableReader& modes) { read_modes(modes); });
+    one("box", [this](const TableReader& box) { read_box(box, program_.box); });
+    all("sphere", MaxSpheres, "the table holds the light as well",
+        [this](const TableReader& sphere) { read_sphere(sphere); });
+    all("plane", PlaneEntries, "the table holds no more",
+        [this](const TableReader& plane) { read_plane(plane); });
+    all("input", MaxPictures, "", [this](const TableReader& input) { read_input(input); });
     program_.set_start(planes_);
     program_.spheres = static_cast<int>(program_.moving.size());
-    if (program_.moving.empty() && faults_.none())
-      faults_.add({1, 1}, "the scene has no spheres",
-                  "write [[sphere]]; `racebeam scene new --engine sphere FILE` makes a file to "
-                  "start from");
+    expect_spheres(!program_.moving.empty(), "sphere");
     check();
   }
 
  private:
-  TableReader table(const TomlNode& node, const std::string& kind) const {
-    return TableReader(node, kind, faults_, sphere_scene_keys());
-  }
-  void one(const char* kind, void (Reader::*read)(const TableReader&)) {
-    if (const TomlNode* node = root_.find(kind)) (this->*read)(table(*node, kind));
-  }
-  void all(const std::string& kind, int most, const std::string& why,
-           void (Reader::*read)(const TableReader&)) {
-    const TomlNode* node = root_.find(kind);
-    if (!node) return;
-    if (node->kind != TomlNode::Array) {
-      wrong_type(*node, kind, "tables: write [[" + kind + "]]", faults_);
-      return;
-    }
-    const int count = static_cast<int>(node->items.size());
-    if (count > most)
-      faults_.add(node->items[static_cast<std::size_t>(most)].place,
-                  "the scene has " + counted(count, kind.c_str()),
-                  "at most " + std::to_string(most) + (why.empty() ? "" : ": " + why));
-    for (const TomlNode& each : node->items) (this->*read)(table(each, kind));
-  }
-
-  bool place(const TableReader& from, const char* key, Vector3& to) const {
-    return from.read(key, -FarAway, FarAway, to);
-  }
   void colour(const TableReader& from, sphere_colour& to) const {
     std::uint32_t rgb = 0xffffff;
     from.read_rgb("colour", rgb);
@@ -102,13 +72,12 @@ class Reader {
     double screen = 8;
     eye.read("screen", -FarAway / 32, FarAway / 32, screen);
     program_.start.screen = fixed(screen);
-    if (const TomlNode* node = eye.find("position")) eye_at_ = node->place;
-    else eye_at_ = eye.place();
+    eye_at_ = place_of(eye, "position");
   }
   void read_light(const TableReader& from) {
     place(from, "position", light_);
     program_.start.light = table_position(light_);
-    light_at_ = from.find("position") ? from.find("position")->place : from.place();
+    light_at_ = place_of(from, "position");
   }
   void read_modes(const TableReader& modes) {
     int size = 0, reflections = 0, antialias = 0;
@@ -118,40 +87,19 @@ class Reader {
     modes.read("planes", planes_);
     program_.modes = (size == 0 ? NarrowOff : 0) | reflections << ReflectionsAt | antialias;
   }
-  void read_box(const TableReader& box) {
-    MotionBox& walls = program_.box;
-    place(box, "low", walls.low);
-    place(box, "high", walls.high);
-    for (std::size_t n = 0; n < 3; ++n)
-      if (walls.low[n] > walls.high[n]) {
-        faults_.add(box.place(), fmt::format("'low' is above 'high' in {}", "xyz"[n]),
-                    "the box goes from low to high in each axis");
-        return;
-      }
-  }
-
   void read_sphere(const TableReader& from) {
     MovingSphere sphere;
-    std::string id;
-    if (from.read("id", id)) check_id(*from.find("id"), id);
+    check_id(from);
     from.require("centre", "write centre = [x, y, z]");
     from.require("radius", "write radius = 5; it is whole, 1..63");
-    const bool placed = place(from, "centre", sphere.centre);
+    place(from, "centre", sphere.centre);
     from.read("radius", 1, MaxRadius, sphere.radius);
     colour(from, sphere.colour);
     sphere.reflect = reflect(from);
     from.read("velocity", -Fastest, Fastest, sphere.velocity);
     program_.moving.push_back(sphere);
-    sphere_at_.push_back(placed ? from.find("centre")->place : from.place());
+    sphere_at_.push_back(place_of(from, "centre"));
   }
-  void check_id(const TomlNode& node, const std::string& id) {
-    const auto [first, fresh] = ids_.emplace(id, node.place.line);
-    if (!fresh)
-      faults_.add(node.place, "two spheres are called " + quoted(id),
-                  "the first is in line " + std::to_string(first->second) +
-                      "; give each a name of its own");
-  }
-
   void read_plane(const TableReader& from) {
     plane_row plane;
     from.require("normal", "write normal = [x, y, z], of length 1");
@@ -212,23 +160,15 @@ class Reader {
         faults_.add(light_at_.line ? light_at_ : sphere_at_[n],
                     fmt::format("the light is inside the sphere in line {}", sphere_at_[n].line),
                     "move the light or the sphere: shadows are found from outside");
-      for (std::size_t k = 0; k < 3; ++k)
-        if (sphere.centre[k] < program_.box.low[k] || sphere.centre[k] > program_.box.high[k]) {
-          faults_.warn(sphere_at_[n], "the sphere stands outside of the box",
-                       "in picture 1 it jumps to the wall; make the [box] larger");
-          break;
-        }
+      check_inside(sphere_at_[n], sphere.centre, program_.box);
     }
   }
 
-  const TomlNode& root_;
   SphereProgram& program_;
-  Faults& faults_;
   bool planes_ = true;
   Vector3 light_{15, 15, -1};
   Place eye_at_{1, 1}, light_at_{};
   std::vector<Place> sphere_at_;
-  std::map<std::string, int> ids_;  // with their lines
 };
 
 }  // namespace

@@ -93,4 +93,39 @@ hold = ["SW16", "KEY1"]
 )";
 }
 
+const char* starter_block_scene() {
+  return R"(# A scene for the block renderer. Look at it: racebeam render FILE -o first.png
+name = "first blocks"
+engine = "block"
+frames = 120
+
+[eye]
+position = [0, 0, -7]        # x right, y down, z away
+
+[screen]
+size = [8, 6]
+z = 0
+
+[light]
+position = [-8, -9, -9]
+
+[box]                        # what the middles of moving spheres stay in
+low = [-4, -3, 0]
+high = [4, 3, 9]
+
+[[sphere]]
+id = "large"
+centre = [0, 0, 6]
+radius = 2.5                 # below 2.828
+colour = "#40c080"
+
+[[sphere]]
+id = "small"
+centre = [-2, -1, 2]
+radius = 0.75
+colour = [0.75, 0.25, 0.25]  # or parts of full light
+velocity = [0.0625, 0.03125, 0.03125]  # a step of time
+)";
+}
+
 }  // namespace racebeam

@@ -9,5 +9,6 @@ namespace racebeam {
 /// A scene file without faults, to start from: of box rooms, of spheres.
 const char* starter_scene();
 const char* starter_sphere_scene();
+const char* starter_block_scene();
 
 }  // namespace racebeam
