@@ -15,6 +15,7 @@ void block_machine::draw(const block_tables& tables) {
   const std::int64_t start = store_.clock();
   store_counters stored;
   block_renderer renderer(knobs_, converted(tables, knobs_));
+  renderer.note(notes_);
   renderer.draw([&](std::int64_t clock, const block_word& word) {
     store_.go_to(start + clock, &stored);
     return store_.offer(word.address, word.pixels, stored);
@@ -25,6 +26,10 @@ void block_machine::draw(const block_tables& tables) {
   stored.store_reads = store_.reads_before(end) - store_.reads_before(start);
   static_cast<store_counters&>(counters_) = stored;
   counters_.frames = store_.frames_before(end) - store_.frames_before(start);
+  if (notes_) {
+    for (block_renderer::dealt& block : notes_->blocks) block.clock += start;
+    for (std::int64_t& clock : notes_->begins) clock += start;
+  }
   counters_.host_clocks = static_cast<std::uint64_t>(sent);
 }
 

@@ -28,9 +28,8 @@ class block_machine {
   /// Of the picture drawn last, and of what the host sent for it.
   const block_counters& counters() const { return counters_; }
 
-  /// From now on the clocks in which pixels begin go there, row by row; nullptr: nowhere. A block
-  /// that is cleared begins all its pixels with its job.
-  void note_pixels(std::vector<std::int64_t>* begins) { begins_ = begins; }
+  /// As block_renderer::note(); in clocks of the raster.
+  void note(block_renderer::notes* to) { notes_ = to; }
 
   /// The frame store, when all words of the picture are in it, by address.
   std::vector<std::uint64_t> picture() const { return store_.picture(); }
@@ -43,7 +42,7 @@ class block_machine {
   const block_knobs knobs_;
   frame_store store_;
   block_counters counters_;
-  std::vector<std::int64_t>* begins_ = nullptr;
+  block_renderer::notes* notes_ = nullptr;
 };
 
 }  // namespace racebeam

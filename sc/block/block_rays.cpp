@@ -58,16 +58,19 @@ const block_job& block_rays::job(int x, int y) {
   const int rows = std::min(BlockSide, knobs_.rows() - y);
   job_.clocks = JobClocks;
   job_.words.clear();
+  job_.begins.clear();
   job_.cleared = knobs_.cull == BlockCullCorners ? !corners_keep(first)
                  : knobs_.cull == BlockCullCone  ? !cone_keeps(first)
                                                  : false;
   if (job_.cleared) {
+    job_.begins.assign(static_cast<std::size_t>(BlockSide * rows), 0);
     clear(x, y, rows);
   } else {
     vec3 at = first;
     for (int row = 0; row < rows; ++row) {
       at[0] = first[0];
       for (int column = 0; column < BlockSide; ++column) {
+        job_.begins.push_back(job_.clocks);
         pixel(at);
         if (column % 8 == 7) store(x + column - 7, y + row);
         at[0] = block_sum(at[0], world_.ax);
@@ -143,11 +146,15 @@ void block_rays::pixel(const vec3& at) {
   for (int pass = 0; pass < knobs_.max_passes; ++pass) {
     r.best = Far;
     r.nearest = -1;
+    const int begin = job_.clocks, groups = pass == 0 ? groups_ : 2 * groups_;
     meet(r, pass == 0);
+    if (explained_)
+      explained_->passes.push_back({groups, job_.clocks - begin - groups, r.nearest, r.best, {}});
     ++job_.clocks;  // DECIDE
     if (r.nearest < 0) break;
     hit = true;
     colour = block_sum(colour, shade(r));
+    if (explained_) explained_->passes.back().colour = colour;
     job_.clocks += knobs_.shade_clocks();
     ++n_.shades[static_cast<std::size_t>(pass)];
   }
@@ -157,6 +164,26 @@ void block_rays::pixel(const vec3& at) {
     const int level = hit ? channel(colour[k]) : knobs_.background >> (16 - 8 * plane) & 255;
     packed_[k] = packed_[k] >> 8 | std::uint64_t{static_cast<unsigned>(level)} << 56;
   }
+}
+
+block_pixel block_rays::explain(int x, int y) {
+  const block_counters counted = n_;
+  const int column = x % BlockSide, row = y % BlockSide;
+  const block_job& all = job(x - column, y - row);
+  block_pixel p;
+  p.cleared = all.cleared;
+  p.begin = all.begins[static_cast<std::size_t>(row * BlockSide + column)];
+  if (!p.cleared) {
+    job_.clocks = 0;
+    explained_ = &p;
+    pixel({wrap32(world_.start[0] + std::int64_t{x} * world_.ax),
+           wrap32(world_.start[1] - std::int64_t{y} * world_.ay), world_.start[2]});
+    explained_ = nullptr;
+    p.clocks = job_.clocks;
+  }
+  for (std::size_t k = 0; k < 3; ++k) p.rgb[k] = static_cast<int>(packed_[k] >> 56);
+  n_ = counted;
+  return p;
 }
 
 void block_rays::meet(ray& r, bool primary) {

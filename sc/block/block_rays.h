@@ -30,6 +30,24 @@ struct block_job {
   int clocks = 0;  ///< outside of IDLE, if the bus takes each word at once
   bool cleared = false;
   std::vector<block_word> words;
+  std::vector<int> begins;  ///< of its pixels, row by row, in clocks like those of words
+};
+
+/// A ray of a pixel, and what it met.
+struct block_pass {
+  int groups = 0, near = 0;  ///< clocks in GROUP and NEAR
+  int sphere = -1;           ///< the nearest; -1: none
+  int distance = 0;          ///< 12.20
+  vec3 colour{};             ///< of the pixel so far, 12.20
+};
+
+/// A pixel, explained.
+struct block_pixel {
+  bool cleared = false;  ///< with its block: no ray
+  int begin = 0;         ///< clock of the job
+  int clocks = 0;        ///< from PIXEL to STORE; cleared: none
+  std::vector<block_pass> passes;
+  std::array<int, 3> rgb{};
 };
 
 class block_rays {
@@ -38,6 +56,9 @@ class block_rays {
 
   /// Draws the block whose first pixel is (x, y). What it was stays until the next.
   const block_job& job(int x, int y);
+
+  /// What a job does for one of its pixels.
+  block_pixel explain(int x, int y);
 
   /// Adds what was counted since the last call.
   void take(block_counters& to);
@@ -76,6 +97,7 @@ class block_rays {
   std::array<int, BlockEntries> rv_{}, radius2_{};
   int cone_sine_ = 0, cone_cosine2_ = 0;  // 12.20
   block_job job_;
+  block_pixel* explained_ = nullptr;  // the next pixel
   std::array<std::uint64_t, 3> packed_{};
   block_counters n_;
 };

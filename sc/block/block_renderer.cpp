@@ -19,6 +19,10 @@ block_renderer::block_renderer(const block_knobs& k, const block_world& world)
 
 void block_renderer::begin() {
   n_ = {};
+  if (notes_) {
+    notes_->blocks.clear();
+    notes_->begins.assign(static_cast<std::size_t>(knobs_.columns() * knobs_.rows()), 0);
+  }
   idle_ = all_;
   clock_ = -1;
   x_ = y_ = 0;
@@ -44,6 +48,14 @@ void block_renderer::deal(int to) {
   idle_ &= ~bit(to);
   events_.emplace(c.begin + c.words.front().clock, 2 * to);
   n_.busy_by_core[static_cast<std::size_t>(to)] += static_cast<unsigned>(job.clocks);
+  if (notes_) {
+    notes_->blocks.push_back({to, clock_});
+    c.x = x_;
+    c.y = y_;
+    c.begins = job.begins;
+    c.pixel = 0;
+    note_pixels(c);
+  }
   x_ += BlockSide;
   if (x_ < knobs_.columns()) return;
   x_ = 0;
@@ -62,8 +74,20 @@ void block_renderer::next_word(int served) {
   ++c.next;
   if (c.next < c.words.size()) events_.emplace(c.begin + c.words[c.next].clock, 2 * served);
   else events_.emplace(c.begin + c.clocks, 2 * served + 1);
+  if (notes_) note_pixels(c);
   asking_ &= ~bit(served);
   later_ = ~(bit(served) | (bit(served) - 1));
+}
+
+// Those that no word still to come can put off.
+void block_renderer::note_pixels(core& c) {
+  const int known = c.next < c.words.size() ? c.words[c.next].clock : c.clocks;
+  for (; c.pixel < c.begins.size() && c.begins[c.pixel] <= known; ++c.pixel) {
+    const int x = c.x + static_cast<int>(c.pixel) % BlockSide;
+    const int y = c.y + static_cast<int>(c.pixel) / BlockSide;
+    notes_->begins[static_cast<std::size_t>(y * knobs_.columns() + x)] =
+        c.begin + c.begins[c.pixel];
+  }
 }
 
 void block_renderer::end() {

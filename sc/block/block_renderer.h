@@ -39,12 +39,29 @@ class block_renderer {
   /// Of the picture drawn last.
   const block_counters& counters() const { return n_; }
 
+  /// Which core drew a block, and when it was dealt.
+  struct dealt {
+    int core;
+    std::int64_t clock;
+  };
+  /// What is noted of the pictures drawn from now on: of each block, and the clock in which each
+  /// pixel begins, row by row; one of a block that is cleared begins with its job.
+  struct notes {
+    std::vector<dealt> blocks;
+    std::vector<std::int64_t> begins;
+  };
+  void note(notes* to) { notes_ = to; }
+
  private:
   struct core {
     int clocks = 0;          // of its job
     std::int64_t begin = 0;  // of its job, later by what it waited
     std::size_t next = 0;    // word
     std::vector<block_word> words;
+    // While it is noted:
+    int x = 0, y = 0;
+    std::vector<int> begins;
+    std::size_t pixel = 0;  // that begins next
   };
   using event = std::pair<std::int64_t, int>;  // clock; 2 * core, + 1: it is idle
 
@@ -60,6 +77,7 @@ class block_renderer {
   }
   std::uint64_t waiting() const;
   void next_word(int core);
+  void note_pixels(core& c);
   void end();
 
   const block_knobs knobs_;
@@ -71,6 +89,7 @@ class block_renderer {
   std::uint64_t later_ = 0;              // the cores after the one that was served last
   std::int64_t clock_ = 0;
   int x_ = 0, y_ = 0;  // of the next job
+  notes* notes_ = nullptr;
   block_counters n_;
 };
 

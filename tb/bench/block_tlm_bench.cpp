@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/bench/block_tlm_bench.h"
 
+#include <utility>
+
 #include "tb/bench/store_pins.h"
 
 namespace racebeam {
@@ -34,6 +36,17 @@ ChipBench::Frame BlockTlmBench::render() {
     frame.picture.pins_crc = store_pins_crc(drawn, knobs_.store(), block_knobs::clocks_per_pixel);
   ++next_;
   return frame;
+}
+
+PixelClocks block_pixels(const WiredBench::Setting& setting, int picture) {
+  BlockTlmBench bench(setting, {});
+  bench.seek(picture);
+  block_renderer::notes notes;
+  bench.note(&notes);
+  const ChipBench::Frame frame = bench.render();
+  PixelClocks pixels{frame.picture.width, frame.picture.height, std::move(notes.begins)};
+  pixels.begins.push_back(static_cast<std::int64_t>(bench.clocks()));
+  return pixels;
 }
 
 }  // namespace racebeam

@@ -25,6 +25,8 @@ class BlockTlmBench final : public ChipBench {
   }
   const SoundMonitor* sound() const override { return nullptr; }
 
+  /// As block_machine has it.
+  void note(block_renderer::notes* to) { machine_.note(to); }
   /// The frame store with all words of the picture that was rendered last, by address.
   std::vector<std::uint64_t> words() const { return machine_.picture(); }
 
@@ -38,5 +40,8 @@ class BlockTlmBench final : public ChipBench {
   LoadBar bar_;
   int next_ = 0;
 };
+
+/// BenchKind::pixels.
+PixelClocks block_pixels(const WiredBench::Setting& setting, int picture);
 
 }  // namespace racebeam

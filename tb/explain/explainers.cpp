@@ -3,7 +3,9 @@
 #include "tb/explain/explainers.h"
 
 #include "sc/beam/engine.h"
+#include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "tb/explain/block_explanation.h"
 #include "tb/explain/explain_json.h"
 #include "tb/explain/explain_text.h"
 #include "tb/explain/sphere_explanation.h"
@@ -27,7 +29,8 @@ std::string beam_json(const Run& run, const ExplainedPixel& p, const std::string
 const std::vector<Explainer>& explainers() {
   static const std::vector<Explainer> table = {
       {beam_engine(), beam_size, beam_text, beam_json},
-      {sphere_engine(), sphere_size, sphere_explain_text, sphere_explain_json}};
+      {sphere_engine(), sphere_size, sphere_explain_text, sphere_explain_json},
+      {block_engine(), block_size_of, block_explain_text, block_explain_json}};
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -133,6 +134,37 @@ TEST(BlockRenderer, TheBusCosts35CoresLessThan4PercentOfForty) {
   const block_counters& n = renderer.counters();
   const double efficiency = static_cast<double>(n.busy_clocks) / static_cast<double>(n.clocks * 35);
   EXPECT_NEAR(efficiency, 0.963, 0.001);
+}
+
+// A pixel begins where its core enters PIXEL: between the words, later by what those before waited.
+TEST(BlockRenderer, NotesBlocksAndTheBeginOfEachPixel) {
+  block_renderer renderer(knobs_of(3), converted(quad_tables(), {}));
+  block_renderer::notes notes;
+  renderer.note(&notes);
+  std::vector<Word> words;
+  renderer.draw([&](std::int64_t clock, const block_word& word) {
+    if (takes(clock)) words.emplace_back(clock, word.address, word.pixels);
+    return takes(clock);
+  });
+  ASSERT_EQ(notes.blocks.size(), 1200u);
+  ASSERT_EQ(notes.begins.size(), 640u * 480);
+  block_rays rays({}, converted(quad_tables(), {}));
+  std::map<int, std::int64_t> taken;  // clock by address, of the red plane
+  for (const Word& word : words) taken[std::get<1>(word)] = std::get<0>(word);
+  int looked = 0;
+  for (int block = 0; block < 1200; ++block) {
+    const int x0 = block % 40 * BlockSide, y0 = block / 40 * BlockSide;
+    const block_job job = rays.job(x0, y0);
+    if (job.cleared) continue;
+    for (int y = y0; y < y0 + BlockSide; ++y)
+      for (int x = x0 + 8; x < x0 + BlockSide; x += 8) {
+        // After three words the next eight pixels begin in the clock after the blue one.
+        const std::int64_t blue = taken.at(2 * 38400 + y * 80 + x / 8 - 1);
+        ASSERT_EQ(notes.begins[static_cast<std::size_t>(y * 640 + x)], blue + 1) << x << "," << y;
+        ++looked;
+      }
+  }
+  EXPECT_GT(looked, 1000);
 }
 
 TEST(BlockRenderer, PicturesFollowEachOther) {
