@@ -1,5 +1,5 @@
 # What is installed, in three components:
-#   program    racebeam with manual page and completions, its picture library, scenes, checksums of
+#   program    racebeam with manual page and completions, its own libraries, scenes, checksums of
 #              the chip, what plug-ins include
 #   rtl        the units in SystemVerilog, verilated when asked for, and how yosys counts their cells
 #   hardware   the SystemC chip as a library, for find_package and pkg-config
@@ -12,8 +12,12 @@ install(
   TARGETS racebeam
   EXPORT racebeam-program
   COMPONENT program)
+set(LIBRARIES racebeam_images)
+if(TARGET racebeam_window)
+  list(APPEND LIBRARIES racebeam_window)
+endif()
 install(
-  TARGETS racebeam_images
+  TARGETS ${LIBRARIES}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/racebeam
   COMPONENT program)
 install(

@@ -1,7 +1,7 @@
 // ImageLibrary: what OpenImageIO does for the program, opened when it is first asked for.
 //
 // OpenImageIO brings 260 shared libraries and a thread of its own. It is behind
-// libracebeam_images.so, a library beside the program, so that no other command pays for them.
+// libracebeam_images.so, a library of the program's own.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -30,9 +30,5 @@ struct ImageLibrary {
 
 /// Opens it at the first call. Throws MissingTool if it or OpenImageIO is not there.
 const ImageLibrary& image_library();
-
-/// Its name, and of the ImageLibrary in it.
-constexpr const char* ImageLibraryFile = "libracebeam_images.so";
-constexpr const char* ImageLibrarySymbol = "racebeam_image_library";
 
 }  // namespace racebeam

@@ -30,6 +30,7 @@
 #include "tb/picture/image_library.h"
 #include "tb/picture/png_file.h"
 #include "tb/verilate/rtl_plugin.h"
+#include "tb/view/window_library.h"
 
 namespace racebeam {
 
@@ -68,10 +69,10 @@ Check check(const char* name, const std::function<void()>& action) {
   }
 }
 
-/// Its version; a check tells why it is not found.
-std::string picture_library() {
+/// A check tells what does not work without it.
+std::string version_of(const std::function<std::string()>& library) {
   try {
-    return image_library().version;
+    return library();
   } catch (const MissingTool&) {
     return "not found";
   }
@@ -96,9 +97,10 @@ std::vector<Fact> versions() {
   return {{"racebeam", program_version()},
           {"compiler", __VERSION__},
           {"SystemC", sc_core::sc_release()},
-          {"OpenImageIO", picture_library()},
+          {"OpenImageIO", version_of([] { return image_library().version; })},
           {"zlib", zlibVersion()},
-          {"libsndfile", sndfile}};
+          {"libsndfile", sndfile},
+          {"SDL2", version_of([] { return window_library().version(); })}};
 }
 
 std::vector<Fact> machine() {

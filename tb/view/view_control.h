@@ -13,6 +13,7 @@
 #include "tb/tt/tt_inputs.h"
 #include "tb/view/board_pins.h"
 #include "tb/view/frame_maps.h"
+#include "tb/view/user_input.h"
 
 namespace racebeam {
 
@@ -62,22 +63,18 @@ struct KeyHelp {
   Chip chip = Any;
 };
 
-class ViewControl {
+class ViewControl : public UserInput {
  public:
   static constexpr int SlowestSpeed = -12, FastestSpeed = 3;
 
-  /// A key by its name: "a", "space", "f1", "left" ...; others do nothing. False for those.
-  bool press(const std::string& key);
-  void release(const std::string& key);
-  /// Pixels of the mouse, counted while flying.
-  void mouse(int right, int down);
-  /// A click on a pixel of the picture: column 0..639, row 0..479.
-  void click(int column, int row);
-  /// All keys are up: the window lost them.
-  void release_all() {
+  bool press(const std::string& key) override;
+  void release(const std::string& key) override;
+  void release_all() override {
     held_.clear();
     tapped_.clear();
   }
+  void mouse(int right, int down) override;
+  void click(int column, int row) override;
 
   /// The oldest action that was not taken.
   std::optional<ViewAction> take_action();

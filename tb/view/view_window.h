@@ -1,4 +1,4 @@
-// The viewer's window: SDL2, and nothing but SDL2. Without SDL2 at build time, a message.
+// The viewer's window, of the WindowLibrary.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

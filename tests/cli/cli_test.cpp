@@ -144,30 +144,36 @@ std::vector<std::string> libraries_of(const std::string& folder, const Words& wo
   return libraries;
 }
 
-TEST_F(CliTest, PictureLibraryIsOpenedForCaptionsOnly) {
-  constexpr const char* Images = "libracebeam_images.so";
+TEST_F(CliTest, LibrariesOfPicturesAndWindowsAreOpenedByWhatNeedsThem) {
+  const auto none_of = [](const char* library) { return Not(Contains(HasSubstr(library))); };
   const auto start = libraries_of(folder.path(), {"--version"});
   EXPECT_THAT(start, Contains(HasSubstr("libsystemc")));
-  EXPECT_LT(start.size(), 100u);
-  for (const Words& words : {Words{"--version"}, {"render", "demo", "--overlay", "slack"}}) {
-    const auto libraries = libraries_of(folder.path(), words);
-    EXPECT_THAT(libraries, Not(Contains(HasSubstr(Images))));
-    EXPECT_THAT(libraries, Not(Contains(HasSubstr("OpenImageIO"))));
-  }
+  EXPECT_LT(start.size(), 60u);
+  for (const Words& words : {Words{"--version"}, {"render", "demo", "--overlay", "slack"}})
+    for (const char* library : {"libracebeam_", "OpenImageIO", "libSDL2"})
+      EXPECT_THAT(libraries_of(folder.path(), words), none_of(library));
   EXPECT_THAT(libraries_of(folder.path(), {"render", "demo", "--sheet", "a.png"}),
-              AllOf(Contains(HasSubstr(Images)), Contains(HasSubstr("OpenImageIO"))));
+              AllOf(Contains(HasSubstr("libracebeam_images.so")),
+                    Contains(HasSubstr("OpenImageIO")), none_of("libSDL2")));
 }
 
-TEST_F(CliTest, ProgramWithoutItsPictureLibrarySaysWhereItLooked) {
+TEST_F(CliTest, ProgramWithoutItsLibrariesSaysWhereItLookedAndWhatToDo) {
   Program::Setting setting;
   setting.program = folder / "racebeam";
   std::filesystem::copy_file(RACEBEAM_BINARY, setting.program);
-  Program program(folder.path(), {"render", "demo", "--sheet", "a.png"}, setting);
-  EXPECT_EQ(program.wait(), 3);
-  EXPECT_THAT(program.err(), HasSubstr("libracebeam_images.so is neither in " + folder.path()));
+  const auto refused = [&](const Words& words, const std::string& library) {
+    Program program(folder.path(), words, setting);
+    EXPECT_EQ(program.wait(), 3);
+    EXPECT_THAT(program.err(), HasSubstr(library + " is neither in " + folder.path()));
+    return program.err();
+  };
+  refused({"render", "demo", "--sheet", "a.png"}, "libracebeam_images.so");
+  EXPECT_THAT(refused({"view", "demo"}, "libracebeam_window.so"),
+              AllOf(HasSubstr("apt install libsdl2-dev"), HasSubstr("racebeam view --term")));
   Program doctor(folder.path(), {"doctor"}, setting);
   EXPECT_EQ(doctor.wait(), 3);
-  EXPECT_THAT(doctor.out(), HasSubstr("OpenImageIO        not found"));
+  EXPECT_THAT(doctor.out(), AllOf(HasSubstr("OpenImageIO        not found"),
+                                  HasSubstr("SDL2               not found")));
   EXPECT_THAT(doctor.err(), HasSubstr("caption a picture: libracebeam_images.so is neither in "));
 }
 
