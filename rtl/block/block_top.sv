@@ -1,5 +1,5 @@
 // block_top: all units of the block renderer wired under one clock; the frame memory is outside.
-// Contract: the headers of the units, sc/block/.
+// Contract: sc/block/block_chip.h, whose wires these are.
 //
 // No arithmetic: a wire has the name of the port that drives it, without its suffix. Those of all
 // cores stand in one word, core 0 at the bottom. The raster's beam shows pictures of 640 columns at
@@ -55,11 +55,6 @@ module block_top #(
   localparam int AllCores = block_pkg::BlockCores;
 
   /* verilator lint_off UNUSEDSIGNAL */  // some are for monitors and counters
-  // vga_timing
-  wire logic hsync_n, vsync_n, active, h_active, consume, line_end, active_start, frame_end;
-  wire logic nav_line;
-  wire logic [10:0] x2;
-  wire logic [9:0] y;
   // block_convert
   wire logic write;
   wire logic [block_pkg::BlockFieldBits-1:0] field;
@@ -78,39 +73,12 @@ module block_top #(
   wire logic [AllCores-1:0] word_ready;
   wire logic bus_valid;
   wire logic [block_pkg::BlockIndexBits-1:0] core;
-  // write_buffer
-  wire logic put_ready, take_valid;
-  wire logic [19:0] take_address;
-  wire logic [63:0] take_data;
-  wire logic [7:0] fill;
-  // store_arbiter
-  wire logic take_ready;
-  // frame_scanout
-  wire logic read;
-  wire logic [19:0] read_address;
+  // frame_store
+  wire logic put_ready;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  wire logic sync = !hsync_n || !vsync_n;
-  wire logic blank = !active;
   wire logic [19:0] put_address = word_address[32'(core)*20+:20];
   wire logic [63:0] put_data = word[32'(core)*64+:64];
-
-  vga_timing u_vga_timing (
-      .clk_i(clk_i),
-      .rst_ni(rst_ni),
-      .speed_i(3'd0),
-      .hsync_no(hsync_n),
-      .vsync_no(vsync_n),
-      .x2_o(x2),
-      .y_o(y),
-      .active_o(active),
-      .h_active_o(h_active),
-      .consume_o(consume),
-      .line_end_o(line_end),
-      .active_start_o(active_start),
-      .frame_end_o(frame_end),
-      .nav_line_o(nav_line)
-  );
 
   block_convert #(
       .FractionBits(FractionBits)
@@ -215,62 +183,33 @@ module block_top #(
       .bus_ready_i(put_ready)
   );
 
-  write_buffer #(
+  frame_store #(
+      .ClocksPerPixel(2),
       .WriteBufferDepth(WriteBufferDepth),
+      .WritePolicy(WritePolicy),
       .WhenFull(WhenFull),
+      .StoreFormat(2),
+      .PictureWidth(PictureWidth),
+      .PictureHeight(PictureHeight),
       .AddressBits(20),
       .DataBits(64)
-  ) u_write_buffer (
+  ) u_frame_store (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
+      .put_rst_ni(rst_ni),
       .put_valid_i(bus_valid),
       .put_address_i(put_address),
       .put_data_i(put_data),
       .put_ready_o(put_ready),
-      .take_valid_o(take_valid),
-      .take_address_o(take_address),
-      .take_data_o(take_data),
-      .take_ready_i(take_ready),
-      .fill_o(fill)
-  );
-
-  store_arbiter #(
-      .WritePolicy(WritePolicy)
-  ) u_store_arbiter (
-      .read_i(read),
-      .read_address_i(read_address),
-      .sync_i(sync),
-      .blank_i(blank),
-      .take_valid_i(take_valid),
-      .take_address_i(take_address),
-      .take_data_i(take_data),
-      .take_ready_o(take_ready),
       .mem_write_o(mem_write_o),
       .mem_address_o(mem_address_o),
-      .mem_data_o(mem_data_o)
-  );
-
-  frame_scanout #(
-      .StoreFormat(2),
-      .PictureWidth(PictureWidth),
-      .PictureHeight(PictureHeight)
-  ) u_frame_scanout (
-      .clk_i(clk_i),
-      .rst_ni(rst_ni),
-      .consume_i(consume),
-      .active_i(active),
-      .line_end_i(line_end),
-      .y_i(y),
-      .hsync_ni(hsync_n),
-      .vsync_ni(vsync_n),
-      .read_o(read),
-      .read_address_o(read_address),
+      .mem_data_o(mem_data_o),
       .mem_data_i(mem_data_i),
+      .hsync_no(hsync_no),
+      .vsync_no(vsync_no),
       .red_o(red_o),
       .green_o(green_o),
-      .blue_o(blue_o),
-      .hsync_no(hsync_no),
-      .vsync_no(vsync_no)
+      .blue_o(blue_o)
   );
 endmodule
 

@@ -45,11 +45,6 @@ module sphere_top #(
     output logic [9:0] blue_o
 );
   /* verilator lint_off UNUSEDSIGNAL */  // some are for monitors and counters
-  // vga_timing
-  wire logic hsync_n, vsync_n, active, h_active, consume, line_end, active_start, frame_end;
-  wire logic nav_line;
-  wire logic [10:0] x2;
-  wire logic [9:0] y;
   // sphere_inputs
   wire logic rst_n, narrow, planes, scene;
   wire logic [sphere_pkg::SphereBits-1:0] origin_x, origin_y, origin_z, light_x, light_y;
@@ -103,40 +98,11 @@ module sphere_top #(
   // sphere_shader
   wire logic [sphere_pkg::UnitBits-1:0] weight;
   wire logic [63:0] word;
-  // write_buffer
-  wire logic put_ready, take_valid;
-  wire logic [19:0] take_address;
-  wire logic [63:0] take_data;
-  wire logic [7:0] fill;
-  // store_arbiter
-  wire logic take_ready;
-  // frame_scanout
-  wire logic read;
-  wire logic [19:0] read_address;
+  // frame_store
+  wire logic put_ready;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  wire logic sync = !hsync_n || !vsync_n;
-  wire logic blank = !active;
   assign done_o = done;
-
-  vga_timing #(
-      .ClocksPerPixel(1)
-  ) u_vga_timing (
-      .clk_i(clk_i),
-      .rst_ni(rst_ni),
-      .speed_i(3'd0),
-      .hsync_no(hsync_n),
-      .vsync_no(vsync_n),
-      .x2_o(x2),
-      .y_o(y),
-      .active_o(active),
-      .h_active_o(h_active),
-      .consume_o(consume),
-      .line_end_o(line_end),
-      .active_start_o(active_start),
-      .frame_end_o(frame_end),
-      .nav_line_o(nav_line)
-  );
 
   sphere_inputs u_sphere_inputs (
       .clk_i(clk_i),
@@ -410,51 +376,25 @@ module sphere_top #(
       .word_o(word)
   );
 
-  write_buffer u_write_buffer (
+  frame_store #(
+      .ClocksPerPixel(1)
+  ) u_frame_store (
       .clk_i(clk_i),
-      .rst_ni(rst_n),
+      .rst_ni(rst_ni),
+      .put_rst_ni(rst_n),
       .put_valid_i(word_valid),
       .put_address_i(word_address),
       .put_data_i(word),
       .put_ready_o(put_ready),
-      .take_valid_o(take_valid),
-      .take_address_o(take_address),
-      .take_data_o(take_data),
-      .take_ready_i(take_ready),
-      .fill_o(fill)
-  );
-
-  store_arbiter u_store_arbiter (
-      .read_i(read),
-      .read_address_i(read_address),
-      .sync_i(sync),
-      .blank_i(blank),
-      .take_valid_i(take_valid),
-      .take_address_i(take_address),
-      .take_data_i(take_data),
-      .take_ready_o(take_ready),
       .mem_write_o(mem_write_o),
       .mem_address_o(mem_address_o),
-      .mem_data_o(mem_data_o)
-  );
-
-  frame_scanout u_frame_scanout (
-      .clk_i(clk_i),
-      .rst_ni(rst_ni),
-      .consume_i(consume),
-      .active_i(active),
-      .line_end_i(line_end),
-      .y_i(y),
-      .hsync_ni(hsync_n),
-      .vsync_ni(vsync_n),
-      .read_o(read),
-      .read_address_o(read_address),
+      .mem_data_o(mem_data_o),
       .mem_data_i(mem_data_i),
+      .hsync_no(hsync_no),
+      .vsync_no(vsync_no),
       .red_o(red_o),
       .green_o(green_o),
-      .blue_o(blue_o),
-      .hsync_no(hsync_no),
-      .vsync_no(vsync_no)
+      .blue_o(blue_o)
   );
 endmodule
 

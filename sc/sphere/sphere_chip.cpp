@@ -3,29 +3,10 @@
 #include "sc/sphere/sphere_chip.h"
 
 #include "sc/sphere/sphere_parameters.h"
-#include "sc/swap/rtl_twin.h"
 
 namespace racebeam {
 
 namespace {
-
-/// Units in the place of others, as RTL or model.
-struct maker {
-  const sphere_knobs& k;
-  const sphere_tables& tables;
-  const unit_choices& choices;
-
-  /// `settings`: what the model's constructor takes.
-  template <class Unit, class... Settings>
-  std::unique_ptr<typename Unit::pins> make(const Settings&... settings) const {
-    const std::string name = std::string("u_") + Unit::unit_name;
-    const unit_choice& choice = choices.of(Unit::unit_name);
-    if (choice.driver == unit_choice::Rtl)
-      return std::make_unique<rtl_twin<Unit>>(name.c_str(), sphere_parameters(k, tables),
-                                              choice.plugin);
-    return std::make_unique<Unit>(name.c_str(), settings...);
-  }
-};
 
 /// RTL of sphere_inputs gets there from its reset as a chip would: switch by switch.
 void put_inputs(rtl_instance& rtl, const sphere_inputs_core& to, const sphere_tables& tables) {
@@ -57,43 +38,39 @@ void put_inputs(rtl_instance& rtl, const sphere_inputs_core& to, const sphere_ta
 
 }  // namespace
 
-sphere_chip::sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& knobs,
+sphere_chip::sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& k,
                          const sphere_tables& tables, const unit_choices& choices)
-    : wired_chip(name),
-      knobs_(knobs.resolved()),
+    : sphere_chip(name, k.resolved(), tables,
+                  unit_maker(choices, sphere_parameters(k.resolved(), tables))) {}
+
+sphere_chip::sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& k,
+                         const sphere_tables& tables, const unit_maker& units)
+    : picture_chip(name, k.store(), k.clocks_per_pixel, units),
+      knobs_(k),
       tables_(tables),
-      u_vga_timing(maker{knobs_, tables, choices}.make<vga_timing>(knobs.clocks_per_pixel)),
-      u_sphere_inputs(maker{knobs_, tables, choices}.make<sphere_inputs>(tables)),
-      u_sphere_host_link(maker{knobs_, tables, choices}.make<sphere_host_link>(knobs_)),
-      u_sphere_table(maker{knobs_, tables, choices}.make<sphere_table>(knobs_)),
-      u_plane_table(maker{knobs_, tables, choices}.make<plane_table>(tables)),
-      u_sphere_raygen(maker{knobs_, tables, choices}.make<sphere_raygen>(knobs_)),
-      u_vector_unit(maker{knobs_, tables, choices}.make<vector_unit>()),
-      u_root_unit(maker{knobs_, tables, choices}.make<root_unit>(knobs_)),
-      u_divider_unit(maker{knobs_, tables, choices}.make<divider_unit>(knobs_)),
-      u_sphere_tracer(maker{knobs_, tables, choices}.make<sphere_tracer>(knobs_)),
-      u_sphere_shader(maker{knobs_, tables, choices}.make<sphere_shader>(knobs_)),
-      u_write_buffer(maker{knobs_, tables, choices}.make<write_buffer>(knobs_.store())),
-      u_store_arbiter(maker{knobs_, tables, choices}.make<store_arbiter>(knobs_.store())),
-      u_frame_memory("u_frame_memory", knobs_.store()),
-      u_frame_scanout(maker{knobs_, tables, choices}.make<frame_scanout>(knobs_.store())),
-      collector_(knobs_) {
+      u_sphere_inputs(units.make<sphere_inputs>(tables)),
+      u_sphere_host_link(units.make<sphere_host_link>(k)),
+      u_sphere_table(units.make<sphere_table>(k)),
+      u_plane_table(units.make<plane_table>(tables)),
+      u_sphere_raygen(units.make<sphere_raygen>(k)),
+      u_vector_unit(units.make<vector_unit>()),
+      u_root_unit(units.make<root_unit>(k)),
+      u_divider_unit(units.make<divider_unit>(k)),
+      u_sphere_tracer(units.make<sphere_tracer>(k)),
+      u_sphere_shader(units.make<sphere_shader>(k)),
+      collector_(k) {
   bind_inputs();
   bind_tables();
   bind_arithmetic();
   bind_tracer();
-  bind_store();
-  SC_HAS_PROCESS(sphere_chip);
-  SC_METHOD(follow_raster);
-  sensitive << hsync_n << vsync_n << active;
+  bind_buffer();
 }
 
 sphere_chip::~sphere_chip() = default;
 
 void sphere_chip::connect(const wired_chip::pins& bench) {
+  picture_chip::connect(bench);
   board_ = std::make_unique<board_wires>(tables_.board);
-  clk_i(bench.clk);
-  rst_ni(bench.rst_n);
   sw_i(board_->sw);
   key_ni(board_->key_n);
   sphere_i(board_->sphere);
@@ -108,11 +85,6 @@ void sphere_chip::connect(const wired_chip::pins& bench) {
   valid_i(board_->valid);
   rotz_o(board_->rotz);
   done_o(board_->done);
-  hsync_no(bench.hsync_n);
-  vsync_no(bench.vsync_n);
-  red_o(bench.red);
-  green_o(bench.green);
-  blue_o(bench.blue);
 }
 
 void sphere_chip::deposit(int picture) {
@@ -128,23 +100,20 @@ void sphere_chip::deposit_beside(const std::string& unit, rtl_instance& rtl, int
 }
 
 void sphere_chip::begin_picture() {
-  u_frame_memory.clear();
+  picture_chip::begin_picture();
   collector_.begin();
 }
 
 frame_counts sphere_chip::take_counts() { return counted(collector_.last()); }
 
-void sphere_chip::follow_raster() {
-  sync.write(!hsync_n.read() || !vsync_n.read());
-  blank.write(!active.read());
-}
-
 sphere_view sphere_chip::view() const {
   const auto number = [](const auto& w) { return static_cast<int>(w.read()); };
-  return {number(state),      direct.read(),     signed_bits(sum.read().to_uint64(), SphereSumBits),
-          number(shader_op),  word_valid.read(), put_ready.read(),
-          take_ready.read(),  number(fill),      read.read(),
-          mem_write.read(),   fault.read(),      frame_end.read(),
+  return {number(state),
+          direct.read(),
+          signed_bits(sum.read().to_uint64(), SphereSumBits),
+          number(shader_op),
+          stored(word_valid.read()),
+          fault.read(),
           picture_done.read()};
 }
 

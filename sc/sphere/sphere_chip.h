@@ -1,10 +1,9 @@
-// sphere_chip: the sphere tracer's units, vga_timing and the frame store, wired with signals under
-// one clock; the `signal` level.
+// sphere_chip: the sphere tracer's units, wired with signals under one clock in front of a frame
+// store; the `signal` level.
 //
-// A wire carries the name of the port that drives it, without its suffix, but for aliasing and
-// plane_checker: SystemVerilog keeps alias and checker for itself. Instances are named u_<unit>.
-// The only logic of its own: `sync`, hsync or vsync is low, and `blank`, no visible pixel. The
-// raster and the frame store's beam side follow rst_ni, all other units u_sphere_inputs' rst_n.
+// Names are as picture_chip's, but for aliasing and plane_checker: SystemVerilog keeps alias and
+// checker for itself. The raster and the frame store's beam side follow rst_ni, all other units
+// u_sphere_inputs' rst_n.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -17,7 +16,6 @@
 #include <vector>
 
 #include "sc/base/unit_choices.h"
-#include "sc/base/wired_chip.h"
 #include "sc/sphere/divider_unit.h"
 #include "sc/sphere/plane_table.h"
 #include "sc/sphere/root_unit.h"
@@ -29,19 +27,13 @@
 #include "sc/sphere/sphere_table.h"
 #include "sc/sphere/sphere_tracer.h"
 #include "sc/sphere/vector_unit.h"
-#include "sc/store/frame_memory.h"
-#include "sc/store/frame_scanout.h"
-#include "sc/store/store_arbiter.h"
-#include "sc/store/write_buffer.h"
-#include "sc/video/vga_timing.h"
+#include "sc/store/picture_chip.h"
 
 namespace racebeam {
 
-class sphere_chip final : public wired_chip {
+class sphere_chip final : public picture_chip {
  public:
-  // Pins
-  in_port<1> clk_i{"clk_i"};
-  in_port<1> rst_ni{"rst_ni"};
+  // The board
   in_port<18> sw_i{"sw_i"};
   in_port<4> key_ni{"key_ni"};
   // The CPU
@@ -54,9 +46,6 @@ class sphere_chip final : public wired_chip {
   in_port<1> valid_i{"valid_i"};
   out_port<8> rotz_o{"rotz_o"};
   out_port<1> done_o{"done_o"};
-  // The monitor
-  out_port<1> hsync_no{"hsync_no"}, vsync_no{"vsync_no"};
-  out_port<DacBits> red_o{"red_o"}, green_o{"green_o"}, blue_o{"blue_o"};
 
   /// `tables` must outlive it. Throws RtlError if RTL that `choices` names does not fit.
   sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& k,
@@ -84,7 +73,6 @@ class sphere_chip final : public wired_chip {
   board_wires& board() { return *board_; }
   const board_wires& board() const { return *board_; }
 
-  video_pins video() const override { return {DacBits, 1}; }
   void connect(const wired_chip::pins& bench) override;
   /// Eye, light, screen and modes of each picture, as the bench knows them.
   void remember(std::function<sphere_inputs_core(int picture)> inputs) {
@@ -93,8 +81,8 @@ class sphere_chip final : public wired_chip {
   /// Eye, light, screen and modes of a picture, in HOST before it; the table is the CPU's.
   void deposit(int picture) override;
   void deposit_beside(const std::string& unit, rtl_instance& rtl, int picture) const override;
-  /// In HOST, nothing in the write buffer: the frame store gets black, and counting begins anew.
-  void begin_picture();
+  /// In HOST.
+  void begin_picture() override;
   void count() override { collector_.observe(view()); }
   /// Of the picture that was done last.
   frame_counts take_counts() override;
@@ -102,8 +90,6 @@ class sphere_chip final : public wired_chip {
   /// The wires of the present clock, settled if called at its end.
   sphere_view view() const;
   const sphere_collector& collector() const { return collector_; }
-  /// The frame store, by address; a picture is all in it when take_valid is 0 again.
-  const std::vector<std::uint64_t>& memory() const { return u_frame_memory.words(); }
 
   // sphere_inputs
   wire<1> rst_n{"rst_n"};
@@ -165,21 +151,6 @@ class sphere_chip final : public wired_chip {
   // sphere_shader
   wire<UnitBits> weight{"weight"};
   wire<StoreDataBits> word{"word"};
-  // vga_timing
-  wire<3> speed{"speed"};  // 0: nothing drives it
-  wire<11> x2{"x2"};
-  wire<10> y{"y"};
-  wire<1> hsync_n{"hsync_n"}, vsync_n{"vsync_n"}, active{"active"}, h_active{"h_active"};
-  wire<1> consume{"consume"}, line_end{"line_end"}, active_start{"active_start"};
-  wire<1> frame_end{"frame_end"}, nav_line{"nav_line"};
-  wire<1> sync{"sync"}, blank{"blank"};
-  // The frame store
-  wire<1> put_ready{"put_ready"}, take_valid{"take_valid"}, take_ready{"take_ready"};
-  wire<StoreAddressBits> take_address{"take_address"}, read_address{"read_address"},
-      mem_address{"mem_address"};
-  wire<StoreDataBits> take_data{"take_data"}, mem_data{"mem_data"}, mem_read_data{"mem_read_data"};
-  wire<8> fill{"fill"};
-  wire<1> read{"read"}, mem_write{"mem_write"};
 
  private:
   const sphere_knobs knobs_;
@@ -188,7 +159,6 @@ class sphere_chip final : public wired_chip {
 
  public:
   // Units
-  const std::unique_ptr<vga_timing_pins> u_vga_timing;
   const std::unique_ptr<sphere_inputs_pins> u_sphere_inputs;
   const std::unique_ptr<sphere_host_link_pins> u_sphere_host_link;
   const std::unique_ptr<sphere_table_pins> u_sphere_table;
@@ -199,18 +169,15 @@ class sphere_chip final : public wired_chip {
   const std::unique_ptr<divider_unit_pins> u_divider_unit;
   const std::unique_ptr<sphere_tracer_pins> u_sphere_tracer;
   const std::unique_ptr<sphere_shader_pins> u_sphere_shader;
-  const std::unique_ptr<write_buffer_pins> u_write_buffer;
-  const std::unique_ptr<store_arbiter_pins> u_store_arbiter;
-  frame_memory u_frame_memory;
-  const std::unique_ptr<frame_scanout_pins> u_frame_scanout;
 
  private:
+  sphere_chip(const sc_core::sc_module_name& name, const sphere_knobs& k,
+              const sphere_tables& tables, const unit_maker& units);
   void bind_inputs();
   void bind_tables();
   void bind_arithmetic();
   void bind_tracer();
-  void bind_store();
-  void follow_raster();
+  void bind_buffer();
 
   sphere_collector collector_;
   std::unique_ptr<board_wires> board_;

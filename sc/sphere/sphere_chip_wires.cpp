@@ -235,79 +235,12 @@ void sphere_chip::bind_tracer() {
   }
 }
 
-void sphere_chip::bind_store() {
-  {
-    auto& u = *u_vga_timing;
-    u.clk_i(clk_i);
-    u.rst_ni(rst_ni);
-    u.speed_i(speed);
-    u.hsync_no(hsync_n);
-    u.vsync_no(vsync_n);
-    u.x2_o(x2);
-    u.y_o(y);
-    u.active_o(active);
-    u.h_active_o(h_active);
-    u.consume_o(consume);
-    u.line_end_o(line_end);
-    u.active_start_o(active_start);
-    u.frame_end_o(frame_end);
-    u.nav_line_o(nav_line);
-  }
-  {
-    auto& u = *u_write_buffer;
-    u.clk_i(clk_i);
-    u.rst_ni(rst_n);
-    u.put_valid_i(word_valid);
-    u.put_address_i(word_address);
-    u.put_data_i(word);
-    u.put_ready_o(put_ready);
-    u.take_valid_o(take_valid);
-    u.take_address_o(take_address);
-    u.take_data_o(take_data);
-    u.take_ready_i(take_ready);
-    u.fill_o(fill);
-  }
-  {
-    auto& u = *u_store_arbiter;
-    u.read_i(read);
-    u.read_address_i(read_address);
-    u.sync_i(sync);
-    u.blank_i(blank);
-    u.take_valid_i(take_valid);
-    u.take_address_i(take_address);
-    u.take_data_i(take_data);
-    u.take_ready_o(take_ready);
-    u.mem_write_o(mem_write);
-    u.mem_address_o(mem_address);
-    u.mem_data_o(mem_data);
-  }
-  {
-    auto& u = u_frame_memory;
-    u.clk_i(clk_i);
-    u.mem_write_i(mem_write);
-    u.mem_address_i(mem_address);
-    u.mem_data_i(mem_data);
-    u.mem_data_o(mem_read_data);
-  }
-  {
-    auto& u = *u_frame_scanout;
-    u.clk_i(clk_i);
-    u.rst_ni(rst_ni);
-    u.consume_i(consume);
-    u.active_i(active);
-    u.line_end_i(line_end);
-    u.y_i(y);
-    u.hsync_ni(hsync_n);
-    u.vsync_ni(vsync_n);
-    u.read_o(read);
-    u.read_address_o(read_address);
-    u.mem_data_i(mem_read_data);
-    u.red_o(red_o);
-    u.green_o(green_o);
-    u.blue_o(blue_o);
-    u.hsync_no(hsync_no);
-    u.vsync_no(vsync_no);
-  }
+void sphere_chip::bind_buffer() {
+  auto& u = *u_write_buffer;
+  u.rst_ni(rst_n);
+  u.put_valid_i(word_valid);
+  u.put_address_i(word_address);
+  u.put_data_i(word);
 }
 
 }  // namespace racebeam

@@ -45,17 +45,9 @@ void sphere_collector::observe(const sphere_view& v) {
   } else {
     count_state(v);
     n.frames += frame_begins_;
-    ++n.buffer_fill[static_cast<std::size_t>(v.fill)];
-    n.store_reads += v.read;
-    n.store_writes += v.mem_write;
-    if (v.word_valid) {
-      ++(v.word_ready ? n.words : n.buffer_stalls);
-      const bool full = v.fill == knobs_.write_buffer_depth;
-      if (knobs_.when_full == WhenFullDrop && full && !v.take_ready)
-        n.buffer_lost += static_cast<std::uint64_t>(v.fill);
-    }
+    count(v.store, store_knobs_, n);
   }
-  frame_begins_ = v.frame_end;
+  frame_begins_ = v.store.frame_end;
   state_ = v.state;
   if (!v.picture_done) return;
   last_ = n;

@@ -17,15 +17,13 @@ struct sphere_view {
   bool direct;  // not in a mirror
   std::int64_t sum;
   int shader_op;
-  bool word_valid, word_ready, take_ready;
-  int fill;
-  bool read, mem_write;
-  bool fault, frame_end, picture_done;
+  store_view store;
+  bool fault, picture_done;
 };
 
 class sphere_collector {
  public:
-  explicit sphere_collector(const sphere_knobs& k) : knobs_(k.resolved()) {}
+  explicit sphere_collector(const sphere_knobs& k) : store_knobs_(k.resolved().store()) {}
   void observe(const sphere_view& v);
   /// In HOST: what was counted since the last picture is forgotten, but for faults.
   void begin() {
@@ -41,7 +39,7 @@ class sphere_collector {
  private:
   void count_state(const sphere_view& v);
 
-  const sphere_knobs knobs_;
+  const store_knobs store_knobs_;
   sphere_counters now_, last_;
   int pictures_ = 0;
   int state_ = SphereHost;  // of the clock before
