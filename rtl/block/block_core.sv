@@ -52,7 +52,8 @@ module block_core #(
     output logic [63:0] word_o,
     input  wire logic word_ready_i,
     // Waves and counters
-    output logic [block_pkg::BlockStateBits-1:0] state_o  // block_state
+    output logic [block_pkg::BlockStateBits-1:0] state_o,  // block_state
+    output logic [block_pkg::BlockEventBits-1:0] event_o  // block_event, of the clock before
 );
   localparam int Bits = block_pkg::BlockBits;
   localparam int RootBits = block_pkg::BlockRootBits;
@@ -73,6 +74,7 @@ module block_core #(
   localparam block_pkg::number Far = Bits'(block_pkg::BlockFar << block_pkg::BlockFraction);
 
   block_pkg::block_state state_q, state_d;
+  block_pkg::block_event event_q, event_d;
   logic step_q, step_d;  // JOB, and GROUP of a later pass: the second clock
   logic [PlaceBits-1:0] job_x_q, job_y_q;
   logic [3:0] column_q, column_d, row_q, row_d;
@@ -84,6 +86,7 @@ module block_core #(
   logic [3:0] pass_q, pass_d;  // passes that were shaded
   block_pkg::axes position_q, position_d, dir_q, dir_d, colour_q, colour_d;
   logic [Lanes-1:0] pending_q, pending_d;
+  logic [Lanes-1:0] over_q;  // whose d is 8.0 and above
   logic [Lanes*Bits-1:0] b_q;
   logic [Lanes*RootBits-1:0] d_q;
   logic hit_q, hit_d;
@@ -185,16 +188,19 @@ module block_core #(
   block_pkg::number near_b;
   logic [RootBits-1:0] near_d;
   index near_lane;
+  logic near_over;
   logic [Lanes-1:0] others;  // that wait too
   always_comb begin
     near_b = '0;
     near_d = '0;
     near_lane = '0;
+    near_over = 1'b0;
     for (int n = Lanes - 1; n >= 0; n--)
       if (pending_q[n]) begin
         near_b = b_q[n*Bits+:Bits];
         near_d = d_q[n*RootBits+:RootBits];
         near_lane = IndexBits'(n);
+        near_over = over_q[n];
       end
     others = pending_q & (pending_q - 1'b1);
   end
@@ -209,7 +215,7 @@ module block_core #(
 
   // --- Unit vectors and light ------------------------------------------------------------------
   wire block_pkg::axes v, v_shade, unit_vector, point, direction, light_of_hit;
-  wire logic unit_done, normalise, shade_done;
+  wire logic unit_done, small_vector, normalise, shade_done;
   wire block_pkg::number corner_x = at_x_q + (corner_q[1] ? right : '0);
   wire block_pkg::number corner_y = at_y_q - (corner_q[1] ^ corner_q[0] ? down : '0);
   assign v = in_shade ? v_shade
@@ -227,7 +233,8 @@ module block_core #(
       .unit_x_o(unit_vector[2*Bits+:Bits]),
       .unit_y_o(unit_vector[Bits+:Bits]),
       .unit_z_o(unit_vector[0+:Bits]),
-      .done_o(unit_done)
+      .done_o(unit_done),
+      .small_o(small_vector)
   );
 
   block_shade #(
@@ -306,6 +313,21 @@ module block_core #(
       2'd1: word_o = clears ? {8{Behind[8+:8]}} : green;
       default: word_o = clears ? {8{Behind[0+:8]}} : blue;
     endcase
+  end
+
+  // --- What counters are told ------------------------------------------------------------------
+  always_comb begin
+    event_d = small_vector ? block_pkg::BlockSmallVector : block_pkg::BlockNoEvent;
+    if (state_q == block_pkg::BlockNear && near_over) event_d = block_pkg::BlockRootOver;
+    if (in_cull)
+      for (int n = CornerLanes - 1; n >= 0; n--)
+        if (crossed[n])
+          unique case (corner_q + 2'(n))
+            2'd0: event_d = block_pkg::BlockKept0;
+            2'd1: event_d = block_pkg::BlockKept1;
+            2'd2: event_d = block_pkg::BlockKept2;
+            default: event_d = block_pkg::BlockKept3;
+          endcase
   end
 
   // --- States ----------------------------------------------------------------------------------
@@ -431,8 +453,13 @@ module block_core #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) state_q <= block_pkg::BlockIdle;
-    else state_q <= state_d;
+    if (!rst_ni) begin
+      state_q <= block_pkg::BlockIdle;
+      event_q <= block_pkg::BlockNoEvent;
+    end else begin
+      state_q <= state_d;
+      event_q <= event_d;
+    end
     step_q <= step_d;
     {column_q, row_q, plane_q} <= {column_d, row_d, plane_d};
     corner_q <= corner_d;
@@ -447,14 +474,17 @@ module block_core #(
     if (in_corner && unit_done) corners_q[32'(corner_q)*3*Bits+:3*Bits] <= unit_vector;
     if (state_q == block_pkg::BlockGroup) begin
       b_q <= b;
-      for (int n = 0; n < Lanes; n++)
+      for (int n = 0; n < Lanes; n++) begin
         d_q[n*RootBits+:RootBits] <= d[n*LongBits+:RootBits];
+        over_q[n] <= d[n*LongBits+RootBits+:LongBits-RootBits] != '0;
+      end
     end
   end
 
   assign job_ready_o = state_q == block_pkg::BlockIdle;
   assign busy_o = !job_ready_o;
   assign state_o = state_q;
+  assign event_o = event_q;
 endmodule
 
 `default_nettype wire

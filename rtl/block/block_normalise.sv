@@ -22,7 +22,9 @@ module block_normalise #(
     output logic [block_pkg::BlockBits-1:0] unit_x_o,
     output logic [block_pkg::BlockBits-1:0] unit_y_o,
     output logic [block_pkg::BlockBits-1:0] unit_z_o,
-    output logic done_o
+    output logic done_o,
+    // For counters
+    output logic small_o
 );
   localparam int Bits = block_pkg::BlockBits;
   localparam int SquareBits = 24;  // of the squared length, below 1024
@@ -110,6 +112,7 @@ module block_normalise #(
   assign unit_y_o = last ? block_pkg::fixed_of(product_y) : '0;
   assign unit_z_o = last ? block_pkg::fixed_of(product_z) : '0;
   assign done_o = last;
+  assign small_o = step_q == 4'd1 && aa_q < block_pkg::BlockSmallLength2;
 endmodule
 
 `default_nettype wire

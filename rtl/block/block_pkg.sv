@@ -14,6 +14,7 @@ package block_pkg;
   localparam int BlockRootBits = 23;
   localparam int BlockDistanceBits = 33;
   localparam int BlockFar = 2047;
+  localparam int BlockSmallLength2 = 4096;
 
   // Spheres
   localparam int BlockEntries = 64;
@@ -26,6 +27,7 @@ package block_pkg;
   localparam int BlockPlaceBits = 11;
   localparam int BlockCores = 64;
   localparam int BlockStateBits = 4;
+  localparam int BlockEventBits = 3;
 
   /* verilator lint_on UNUSEDPARAM */
 
@@ -43,6 +45,16 @@ package block_pkg;
     BlockStore = 4'd10,
     BlockWords = 4'd11
   } block_state;
+
+  typedef enum logic [2:0] {
+    BlockNoEvent = 3'd0,
+    BlockKept0 = 3'd1,
+    BlockKept1 = 3'd2,
+    BlockKept2 = 3'd3,
+    BlockKept3 = 3'd4,
+    BlockSmallVector = 3'd5,
+    BlockRootOver = 3'd6
+  } block_event;
 
   typedef enum logic [3:0] {
     BlockCentreX = 4'd0,

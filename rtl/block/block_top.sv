@@ -1,8 +1,8 @@
 // block_top: all units of the block renderer wired under one clock; the frame memory is outside.
 // Contract: sc/block/block_chip.h, whose wires these are.
 //
-// No arithmetic: a wire has the name of the port that drives it, without its suffix. Those of all
-// cores stand in one word, core 0 at the bottom. The raster's beam shows pictures of 640 columns at
+// No arithmetic: a wire has the name of the port that drives it, without its suffix, but for
+// event_told. Those of all cores stand in one word, core 0 at the bottom. The raster's beam shows pictures of 640 columns at
 // most; larger ones are for the memory alone.
 //
 // SPDX-FileCopyrightText: racebeam contributors
@@ -69,6 +69,7 @@ module block_top #(
   wire logic [Cores*20-1:0] word_address;
   wire logic [Cores*64-1:0] word;
   wire logic [Cores*block_pkg::BlockStateBits-1:0] state;
+  wire logic [Cores*block_pkg::BlockEventBits-1:0] event_told;
   // block_bus
   wire logic [AllCores-1:0] word_ready;
   wire logic bus_valid;
@@ -167,7 +168,8 @@ module block_top #(
         .word_address_o(word_address[n*20+:20]),
         .word_o(word[n*64+:64]),
         .word_ready_i(word_ready[n]),
-        .state_o(state[n*block_pkg::BlockStateBits+:block_pkg::BlockStateBits])
+        .state_o(state[n*block_pkg::BlockStateBits+:block_pkg::BlockStateBits]),
+        .event_o(event_told[n*block_pkg::BlockEventBits+:block_pkg::BlockEventBits])
     );
   end
 

@@ -42,6 +42,7 @@ void block_core::drive() {
   word_address_o.drive(core_.word_address(knobs_));
   word_o.drive(core_.word(knobs_));
   state_o.drive(core_.state_q);
+  event_o.drive(core_.event_q);
 }
 
 }  // namespace racebeam

@@ -26,7 +26,7 @@
 //         pass comes BlockStore.
 // Comb    none.
 // Stall   BlockClear and BlockWords wait for word_ready_i.
-// Reset   rst_ni = 0: BlockIdle. Places, counts and numbers are without reset.
+// Reset   rst_ni = 0: BlockIdle, BlockNoEvent. Places, counts and numbers are without reset.
 // Address of a word: plane * (width * height / 8) + y * (width / 8) + x / 8; rows of a block below
 //         the picture are not drawn.
 // Knobs   lanes, newton_steps, specular_squarings, max_passes, cull, background, size: parameters
@@ -78,8 +78,9 @@ class block_core_pins : public sc_core::sc_module {
   out_port<BlockAddressBits> word_address_o{"word_address_o"};
   out_port<64> word_o{"word_o"};
   in_port<1> word_ready_i{"word_ready_i"};
-  // Waveforms
+  // Waveforms and counters
   out_port<BlockStateBits> state_o{"state_o"};  // block_state
+  out_port<BlockEventBits> event_o{"event_o"};  // block_event, of the clock before
 
   explicit block_core_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
 };

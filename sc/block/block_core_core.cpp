@@ -59,6 +59,7 @@ void block_core_core::clock(const inputs& in, const block_knobs& k) {
   hit.unit_done = unit.done;
   const bool normalises = state_q == BlockCorner || state_q == BlockPixel || shade_q.normalise();
 
+  event_q = normalise_q.small() ? BlockSmallVector : BlockNoEvent;
   switch (state_q) {
     case BlockIdle: take_job(in); break;
     case BlockJob: place_job(in, k); break;
@@ -82,6 +83,7 @@ void block_core_core::clock(const inputs& in, const block_knobs& k) {
   }
   if (!in.rst_n) {
     state_q = BlockIdle;
+    event_q = BlockNoEvent;
     pack_q.clock({false, false, 0, 0, 0});
   }
 }
@@ -114,12 +116,12 @@ void block_core_core::corner(const block_normalise_core::outputs& unit, const in
 void block_core_core::cull(const inputs& in, const block_knobs& k) {
   const block_sphere& row = sphere(index_q, k);
   const int tested = std::min(k.lanes, Corners);
-  bool keeps = false;
-  for (int n = 0; n < tested; ++n) {
-    const vec3& dir = corners_q[static_cast<std::size_t>((corner_q + n) % Corners)];
-    keeps |= block_lane_core().comb({false, row.pose, dir, row.rv}).d > 0;
+  for (int n = 0; n < tested && event_q == BlockNoEvent; ++n) {
+    const int at = (corner_q + n) % Corners;
+    const vec3& dir = corners_q[static_cast<std::size_t>(at)];
+    if (block_lane_core().comb({false, row.pose, dir, row.rv}).d > 0) event_q = BlockKept0 + at;
   }
-  if (keeps) {
+  if (event_q != BlockNoEvent) {
     index_q = corner_q = 0;
     state_q = BlockPixel;
     return;
@@ -164,6 +166,7 @@ void block_core_core::begin_pass() {
 void block_core_core::group(const inputs& in, const block_knobs& k) {
   const bool first = pass_q == 0, second = step_q != 0;
   int pending = 0;
+  over_q = 0;
   for (int n = 0; n < k.lanes; ++n) {
     const auto lane = static_cast<std::size_t>(n);
     const block_sphere& row = spheres_q[lane].row(index_q, k);
@@ -174,6 +177,7 @@ void block_core_core::group(const inputs& in, const block_knobs& k) {
     lanes_q[lane].clock(ray);
     b_q[lane] = o.b;
     d_q[lane] = static_cast<int>(o.d & low_bits(BlockRootBits));
+    over_q |= (o.d >> BlockRootBits != 0) << n;
     if (o.d > 0 && index_q * k.lanes + n < in.spheres) pending |= 1 << n;
   }
   if (!first && !second) {
@@ -196,6 +200,7 @@ void block_core_core::nearest(const inputs& in, const block_knobs& k) {
     hit_q = true;
     nearest_q = (index_q * k.lanes + lane) & (BlockEntries - 1);
   }
+  if (bit_of(over_q, lane)) event_q = BlockRootOver;
   pending_q &= pending_q - 1;
   if (pending_q == 0) next_group(in, k);
 }

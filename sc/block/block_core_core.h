@@ -32,6 +32,7 @@ class block_core_core {
   };
 
   int state_q = BlockIdle;
+  int event_q = BlockNoEvent;  // of the clock before
 
   bool word_valid() const { return state_q == BlockClear || state_q == BlockWords; }
   int word_address(const block_knobs& k) const;
@@ -42,6 +43,7 @@ class block_core_core {
   template <class Visit>
   void each_register(Visit&& visit, const block_knobs& k) const {
     visit("state_q", BlockStateBits, [this] { return state_q; });
+    visit("event_q", BlockEventBits, [this] { return event_q; });
     visit("step_q", 1, [this] { return step_q; });
     visit("job_x_q", BlockPlaceBits, [this] { return job_x_q; });
     visit("job_y_q", BlockPlaceBits, [this] { return job_y_q; });
@@ -52,6 +54,7 @@ class block_core_core {
     visit("index_q", BlockIndexBits, [this] { return index_q; });
     visit("pass_q", 4, [this] { return pass_q; });
     visit("pending_q", k.lanes, [this] { return pending_q; });
+    visit("over_q", k.lanes, [this] { return over_q; });
     visit("hit_q", 1, [this] { return hit_q; });
     visit("nearest_q", BlockIndexBits, [this] { return nearest_q; });
     visit("best_q", BlockBits, [this] { return best_q; });
@@ -97,6 +100,7 @@ class block_core_core {
   int pass_q = 0;   // passes that were shaded
   vec3 position_q{}, dir_q{}, colour_q{};
   int pending_q = 0;
+  int over_q = 0;  // lanes whose d is 8.0 and above
   std::array<int, MostLanes> b_q{}, d_q{};
   bool hit_q = false;
   int nearest_q = 0, best_q = 0;

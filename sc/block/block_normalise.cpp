@@ -23,6 +23,7 @@ void block_normalise::comb() {
   const auto o = core_.comb(v_i.signed_value(), knobs_);
   unit_o.drive(o.unit);
   done_o.drive(o.done);
+  small_o.drive(core_.small());
 }
 
 }  // namespace racebeam

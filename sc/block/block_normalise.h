@@ -6,7 +6,7 @@
 //         0x5f3759df - (F >> 1) in units of 2^-14, to nearest, ties to even, << 6; of aa[29:6] = 0
 //         it is 0x3759df << 6. Then newton_steps times x = x * (1.5 - x * x * (aa >> 1)). Two
 //         steps: at most 2.9e-5 off for aa of 1/64..1, 2.4e-4 up to 512, 4.7e-4 up to 1024. Below
-//         |v| = 1/16 it is worthless.
+//         |v| = 1/16, aa < BlockSmallLength2, it is worthless: small_o is 1 in the second clock.
 // Size    3 multipliers 32 x 32, one vector operation a clock.
 // Cycles  3 + 3 * newton_steps: start_i is looked at when idle; that clock makes aa, the next one
 //         the estimate, three a step of Newton's; done_o in the last one. v_i stays from start to
@@ -42,6 +42,8 @@ class block_normalise_pins : public sc_core::sc_module {
   axes_in<BlockBits> v_i{"v", "_i"};         // signed
   axes_out<BlockBits> unit_o{"unit", "_o"};  // signed; 0 but with done_o
   out_port<1> done_o{"done_o"};
+  // For counters
+  out_port<1> small_o{"small_o"};
 
   explicit block_normalise_pins(const sc_core::sc_module_name& name) : sc_module(name) {}
 };

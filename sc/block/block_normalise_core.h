@@ -5,6 +5,7 @@
 #pragma once
 
 #include "sc/base/fixed_point.h"
+#include "sc/block/codes.h"
 #include "sc/block/knobs.h"
 #include "sc/block/numbers.h"
 
@@ -24,6 +25,8 @@ struct block_normalise_core {
     bool done;
   };
 
+  /// In the second clock.
+  bool small() const { return step_q == 1 && aa_q < BlockSmallLength2; }
   static constexpr int last_step(const block_knobs& k) { return 2 + 3 * k.newton_steps; }
   outputs comb(const vec3& v, const block_knobs& k) const {
     if (step_q != last_step(k)) return {};

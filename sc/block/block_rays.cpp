@@ -13,7 +13,7 @@ namespace {
 
 constexpr int One = 1 << BlockFraction;
 constexpr int Far = BlockFar << BlockFraction;
-constexpr int JobClocks = 2, SmallLength2 = One / 256;
+constexpr int JobClocks = 2;
 constexpr int ConeSlack = One / 64;
 constexpr double ConeSteps = 8.5;  // from the middle of a block to half a pixel beyond its corner
 
@@ -48,7 +48,7 @@ block_rays::block_rays(const block_knobs& k, const block_world& world)
 
 vec3 block_rays::unit(const vec3& v) {
   const int length2 = inorm2(v);
-  n_.small_vectors += length2 < SmallLength2;
+  n_.small_vectors += length2 < BlockSmallLength2;
   return imul(v, inverse_root(length2, knobs_.newton_steps));
 }
 

@@ -9,9 +9,10 @@ namespace racebeam {
 // Numbers: signed 12.20.
 constexpr int BlockBits = 32;
 constexpr int BlockFraction = 20;
-constexpr int BlockRootBits = 23;      // what block_root takes the root of, and the root
-constexpr int BlockDistanceBits = 33;  // the discriminant
-constexpr int BlockFar = 2047;         // whole units: nothing is hit there or beyond
+constexpr int BlockRootBits = 23;        // what block_root takes the root of, and the root
+constexpr int BlockDistanceBits = 33;    // the discriminant
+constexpr int BlockFar = 2047;           // whole units: nothing is hit there or beyond
+constexpr int BlockSmallLength2 = 4096;  // 12.20; squares of lengths below are small vectors'
 
 // Spheres.
 constexpr int BlockEntries = 64;
@@ -24,6 +25,7 @@ constexpr int BlockSide = 16;  // pixels of a block
 constexpr int BlockPlaceBits = 11;
 constexpr int BlockCores = 64;
 constexpr int BlockStateBits = 4;
+constexpr int BlockEventBits = 3;
 constexpr int BlockAddressBits = 20;
 
 /// Where block_core is.
@@ -40,6 +42,17 @@ enum block_state {
   BlockShade = 9,
   BlockStore = 10,
   BlockWords = 11
+};
+
+/// What counters are told of block_core besides its state.
+enum block_event {
+  BlockNoEvent = 0,
+  BlockKept0 = 1,  // a block, by corner ul, bl, br, ur: the first that does
+  BlockKept1 = 2,
+  BlockKept2 = 3,
+  BlockKept3 = 4,
+  BlockSmallVector = 5,  // becomes a unit vector
+  BlockRootOver = 6      // a root of 8.0 and above
 };
 
 /// What a number of the world is; block_spheres has the square of BlockRadius, and BlockRv, which

@@ -39,9 +39,10 @@ struct Dut {
   UnitBench bench;
   UnitBench::Pin &busy = bench["busy_o"], &state = bench["state_o"], &valid = bench["word_valid_o"],
                  &address = bench["word_address_o"], &data = bench["word_o"],
-                 &ready = bench["word_ready_i"];
+                 &ready = bench["word_ready_i"], &event = bench["event_o"];
   std::vector<Word> words;
   std::map<std::uint64_t, int> clocks;  // in each state
+  std::map<std::uint64_t, int> events;
 
   explicit Dut(const block_knobs& k = {}) : unit("dut", k), bench(unit) {
     bench.clock();
@@ -76,6 +77,7 @@ struct Dut {
   void give_job(unsigned x, unsigned y) {
     words.clear();
     clocks.clear();
+    events.clear();
     bench["job_valid_i"].drive(1);
     bench["job_x_i"].drive(x);
     bench["job_y_i"].drive(y);
@@ -85,6 +87,7 @@ struct Dut {
   }
   void clock() {
     ++clocks[state.value()];
+    ++events[event.value()];
     if (valid.value() && ready.value()) words.push_back({address.value(), data.value()});
     bench.clock();
   }
@@ -267,6 +270,52 @@ TEST(BlockCore, RefusesTheCullItHasNot) {
   block_knobs k;
   k.cull = BlockCullCone;
   EXPECT_THROW(block_core("core", k), std::invalid_argument);
+}
+
+/// A sphere that only one corner ray meets: its centre lies on it.
+template <class Unit>
+void expect_corners(int lanes) {
+  block_knobs k;
+  k.lanes = lanes;
+  Dut<Unit> d(k);
+  d.bench["spheres_i"].drive(1);
+  const vec3 eye = fixed_axes(QuadEye);
+  constexpr int X = 320, Y = 240, Steps = BlockSide - 1, Radius2 = 0x1000;
+  for (const int corner : {0, 1, 2, 3}) {
+    vec3 way = quad_start();
+    way[0] += QuadStep * (corner >= 2 ? X + Steps : X);
+    way[1] -= QuadStep * (corner == 1 || corner == 2 ? Y + Steps : Y);
+    for (int axis = 0; axis < 3; ++axis)
+      d.write(0, BlockCentreX + axis, eye[axis] + way[axis], eye[axis]);
+    d.write(0, BlockRv, Radius2 - inorm2(way));
+    d.bench["write_i"].drive(0);
+    d.draw(X, Y);
+    for (const int other : {0, 1, 2, 3})
+      EXPECT_EQ(d.events[static_cast<std::uint64_t>(BlockKept0 + other)], other == corner)
+          << corner << other;
+  }
+}
+TYPED_TEST(BlockCoreTest, TellsWhichCornerKeepsABlock) { expect_corners<TypeParam>(4); }
+TYPED_TEST(BlockCoreTest, TellsWhichCornerKeepsABlockOfOneLane) { expect_corners<TypeParam>(1); }
+
+TYPED_TEST(BlockCoreTest, TellsOfSmallVectors) {
+  Dut<TypeParam> d;
+  d.bench.drive("start", "_i", {0, 0, 0xffff});
+  d.bench["ax_i"].drive(0);
+  d.bench["ay_i"].drive(0);
+  d.bench["spheres_i"].drive(0);
+  d.draw(0, 0);
+  EXPECT_EQ(d.events[BlockSmallVector], 4);
+}
+
+TYPED_TEST(BlockCoreTest, TellsOfEachRootOf8AndAbove) {
+  Dut<TypeParam> d;
+  d.write(0, BlockRv, 8 << BlockFraction);
+  d.write(1, BlockRv, -(200 << BlockFraction));
+  d.bench["write_i"].drive(0);
+  d.bench["spheres_i"].drive(2);
+  d.draw(320, 240);
+  EXPECT_EQ(d.events[BlockRootOver], 256) << "of primary rays";
 }
 
 TYPED_TEST(BlockCoreTest, ResetDropsTheBlock) {

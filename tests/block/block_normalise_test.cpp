@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "sc/block/numbers.h"
 #include "tb/twin/unit_bench.h"
@@ -163,6 +165,23 @@ void expect_clocks(int steps) {
 TYPED_TEST(BlockNormaliseTest, TakesThreeClocksAndThreeAStep) { expect_clocks<TypeParam>(0); }
 TYPED_TEST(BlockNormaliseTest, TakesSixClocksWithOneStep) { expect_clocks<TypeParam>(1); }
 TYPED_TEST(BlockNormaliseTest, TakesTwelveClocksWithThreeSteps) { expect_clocks<TypeParam>(3); }
+
+TYPED_TEST(BlockNormaliseTest, TellsOfSmallVectorsInTheSecondClock) {
+  Dut<TypeParam> d;
+  const auto told = [&d](int length) {
+    d.bench.drive("v", "_i", {0, -length, 0});
+    d.bench["start_i"].drive(1);
+    std::vector<std::uint64_t> clocks;
+    for (int n = 0; n < 9; ++n) {
+      d.bench.clock();
+      clocks.push_back(d.bench["small_o"].value());
+    }
+    return clocks;
+  };
+  const std::vector<std::uint64_t> never(9, 0), second = {1, 0, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(told(0x10000), never);
+  EXPECT_EQ(told(0xffff), second);
+}
 
 TYPED_TEST(BlockNormaliseTest, BeginsAgainInTheClockAfterDone) {
   Dut<TypeParam> d;
