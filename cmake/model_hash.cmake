@@ -49,7 +49,7 @@ set(MODEL_OF_sphere
     tb/bench/store_pins.*
     tb/judge/sphere_judge.*
     tb/sweep/columns.*
-    tb/sweep/sphere_frame_judge.*)
+    tb/sweep/picture_frame_judge.*)
 set(MODEL_OF_block
     sc/base
     sc/video
@@ -65,7 +65,9 @@ set(MODEL_OF_block
     tb/scene/toml_tree.*
     tb/bench/block_bench.*
     tb/bench/block_tlm_bench.*
-    tb/bench/store_pins.*)
+    tb/bench/store_pins.*
+    tb/sweep/columns.*
+    tb/sweep/picture_frame_judge.*)
 
 # model_sources(<engine> <root> <variable>): those files, seen from <root>
 function(model_sources engine root variable)

@@ -19,7 +19,7 @@ const std::vector<FileKey>& block_scene_keys() {
       {"eye", "position", "[x, y, z]", "[0, 0, -7]", "x right, y down, z away; each -1000..1000"},
       {"screen", "size", "[width, height]", "[8, 6]", "in units; each up to 2000"},
       {"screen", "z", "-1000..1000", "0", "where it stands, across the z axis"},
-      {"light", "position", "[x, y, z]", "[-8, -9, -9]", ""},
+      {"light", "position", "[x, y, z]", "[-8, -9, -9]", "its place; it is not seen"},
       {"box", "low", "[x, y, z]", "[-8, -8, -1]", "lowest place of a sphere's middle"},
       {"box", "high", "[x, y, z]", "[8, 8, 16]", "highest place"},
       {"sphere", "id", "text", "none", "name, unlike all others"},

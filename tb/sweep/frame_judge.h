@@ -36,5 +36,6 @@ class FrameJudge {
 /// Of a block's point; `show` is its scene, and outlives the judge.
 std::unique_ptr<FrameJudge> make_beam_frame_judge(const Show& show, const Block& block);
 std::unique_ptr<FrameJudge> make_sphere_frame_judge(const Show& show, const Block& block);
+std::unique_ptr<FrameJudge> make_block_frame_judge(const Show& show, const Block& block);
 
 }  // namespace racebeam

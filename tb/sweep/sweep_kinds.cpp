@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sc/beam/engine.h"
+#include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "tb/sweep/model_hash.h"
 
@@ -25,7 +26,14 @@ const std::vector<SweepKind>& sweep_kinds() {
        {"picture_error", "clocks", "stalls"},
        {"clocks", "buffer_stalls"},
        {"clocks_per_pixel", "host_clocks_per_word", "capture_guard", "as_built"},
-       make_sphere_frame_judge}};
+       make_sphere_frame_judge},
+      {block_engine(),
+       {false, SweepReference::Geometry},
+       {"pixels", "golden_error_pixels", "golden_level_pixels"},
+       {"picture_error", "clocks", "cores.busy"},
+       {"clocks", "bus_stalls"},
+       {"time_skip", "load_bar"},
+       make_block_frame_judge}};
   return table;
 }
 

@@ -9,15 +9,13 @@
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knobs.h"
-#include "sc/sphere/engine.h"
 #include "tb/base/text_pattern.h"
 #include "tb/explain/figures.h"
 #include "tb/explain/glossary.h"
 #include "tb/golden/golden_work.h"
 #include "tb/picture/picture_format.h"
-#include "tb/scene/scene_keys.h"
+#include "tb/scene/scene_kinds.h"
 #include "tb/scene/scene_reader.h"
-#include "tb/scene/sphere_scene.h"
 #include "tb/sweep/figures.h"
 #include "tests/support/document.h"
 
@@ -117,27 +115,42 @@ TEST(Docs, ListsEveryKeyOfSceneFiles) {
   for (const FileKey& key : scene_keys()) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
 }
 
-TEST(Docs, ListsAllOfTheSphereTracer) {
-  const std::string text = page("docs/sphere.md");
-  for (const FileKey& key : sphere_scene_keys())
-    EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
-  const engine& sphere = sphere_engine();
-  for (const knob_row& row : sphere.knobs)
-    EXPECT_THAT(text, HasSubstr("\n| `" + std::string(row.name) + "` | " + row.text(row.standard) +
-                                " | " + row.range() + " | " + row.meaning + " |\n"));
-  for (const counter_info& row : sphere.counters)
-    EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`"));
-  for (const histogram_info& row : sphere.histograms)
-    EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`"));
+/// The engines that have a page of their own.
+std::vector<const SceneKind*> other_engines() {
+  std::vector<const SceneKind*> kinds;
+  for (const SceneKind& kind : scene_kinds())
+    if (&kind.engine != &beam_engine()) kinds.push_back(&kind);
+  return kinds;
 }
 
-TEST(Docs, TheExampleOfSpheresIsGood) {
-  const std::string text = page("docs/sphere.md");
-  const auto begin = text.find("```toml\n") + 8;
-  const AnySceneResult result =
-      read_any_scene(text.substr(begin, text.find("```", begin) - begin), "example");
-  ASSERT_TRUE(result.scene) << result.faults.text("docs/sphere.md");
-  EXPECT_EQ(result.scene->counts(), "1 sphere, 1 plane");
+std::string page_of(const SceneKind& kind) {
+  return "docs/" + std::string(kind.engine.name) + ".md";
+}
+
+TEST(Docs, ListAllOfTheOtherEngines) {
+  for (const SceneKind* kind : other_engines()) {
+    const std::string text = page(page_of(*kind));
+    for (const FileKey& key : kind->keys) EXPECT_THAT(text, HasSubstr("\n" + key_row(key) + "\n"));
+    for (const knob_row& row : kind->engine.knobs)
+      EXPECT_THAT(text,
+                  HasSubstr("\n| `" + std::string(row.name) + "` | " + row.text(row.standard) +
+                            " | " + row.range() + " | " + row.meaning + " |\n"));
+    for (const counter_info& row : kind->engine.counters)
+      EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`"));
+    for (const histogram_info& row : kind->engine.histograms)
+      EXPECT_THAT(text, HasSubstr("`" + std::string(row.name) + "`"));
+  }
+}
+
+TEST(Docs, TheExamplesOfSceneFilesAreGood) {
+  for (const SceneKind* kind : other_engines()) {
+    const std::string text = page(page_of(*kind));
+    const auto begin = text.find("```toml\n") + 8;
+    const AnySceneResult result =
+        read_any_scene(text.substr(begin, text.find("```", begin) - begin), "example");
+    ASSERT_TRUE(result.scene) << result.faults.text(page_of(*kind));
+    EXPECT_EQ(&result.scene->engine(), &kind->engine);
+  }
 }
 
 TEST(Docs, ListsEveryPictureFormat) {

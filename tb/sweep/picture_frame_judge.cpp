@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
-#include "tb/judge/sphere_judge.h"
+#include "tb/judge/goldens.h"
 #include "tb/sweep/frame_judge.h"
 #include "tb/sweep/packed.h"
 
@@ -11,22 +13,21 @@ namespace racebeam {
 
 namespace {
 
-/// Knobs that change what is meant, and not how well it is drawn.
-constexpr const char* Look[] = {"colour_bits", "table_entries", "shadow_rays",   "plane_shadows",
-                                "min_weight",  "wide",          "capture_guard", "as_built"};
-
 /// Levels of a colour, by channel.
 int level_of(std::uint32_t colour, int channel, int bits) {
   return static_cast<int>(colour >> channel * bits & ((1u << bits) - 1));
 }
 
-class SphereFrameJudge final : public FrameJudge {
+/// Of an engine with one golden tracer.
+class PictureFrameJudge final : public FrameJudge {
  public:
-  SphereFrameJudge(const Show& show, const Block& block) : show_(show), k_(block.k) {}
+  /// `look`: knobs that change what is meant, and not how well it is drawn.
+  PictureFrameJudge(const Show& show, const Block& block, std::vector<const char*> look)
+      : show_(show), k_(block.k), golden_(*golden_of(show.engine())), look_(std::move(look)) {}
 
   ReferenceKeys keys() const override {
     std::string key = "geometry";
-    for (const char* name : Look) key += ' ' + std::to_string(k_.of(name));
+    for (const char* name : look_) key += ' ' + std::to_string(k_.of(name));
     return {key};
   }
 
@@ -35,7 +36,7 @@ class SphereFrameJudge final : public FrameJudge {
     const PackedPicture& drawn = frame.picture;
     PackedPicture meant;
     if (kept.reference.empty()) {
-      meant = sphere_golden_picture(show_.tables(), k_, frame.number);
+      meant = golden_.picture(show_.tables(), k_, frame.number);
       answer.made.reference = packed_picture(meant);
     } else {
       meant = unpacked_picture(kept.reference);
@@ -57,12 +58,24 @@ class SphereFrameJudge final : public FrameJudge {
  private:
   const Show& show_;
   const knob_values k_;
+  const GoldenKind& golden_;
+  const std::vector<const char*> look_;
 };
 
 }  // namespace
 
 std::unique_ptr<FrameJudge> make_sphere_frame_judge(const Show& show, const Block& block) {
-  return std::make_unique<SphereFrameJudge>(show, block);
+  return std::make_unique<PictureFrameJudge>(
+      show, block,
+      std::vector<const char*>{"colour_bits", "table_entries", "shadow_rays", "plane_shadows",
+                               "min_weight", "wide", "capture_guard", "as_built"});
+}
+
+std::unique_ptr<FrameJudge> make_block_frame_judge(const Show& show, const Block& block) {
+  return std::make_unique<PictureFrameJudge>(
+      show, block,
+      std::vector<const char*>{"max_passes", "specular_squarings", "background", "size",
+                               "time_skip", "load_bar"});
 }
 
 }  // namespace racebeam
