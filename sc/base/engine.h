@@ -33,8 +33,10 @@ struct unit_row {
   /// The model; `scene` is not looked at by units that show any chip.
   std::unique_ptr<sc_core::sc_module> (*make)(const char* instance, const knob_values& k,
                                               const scene_tables* scene);
+  const char* place = "";  ///< modules around it in the chip: "g_core[0]."; of many, the first
 
   std::string instance() const { return std::string("u_") + slot; }
+  std::string path() const { return place + instance(); }
 };
 
 /// The words of a register that holds a state, by value.

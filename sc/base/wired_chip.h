@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sc/base/frame_counts.h"
 #include "sc/base/unit.h"
@@ -13,7 +14,7 @@ namespace racebeam {
 
 class rtl_instance;
 
-/// Its children are its units, u_<unit>, and the wires between them.
+/// Its children are its units, u_<unit>, and the wires between them; or modules with such children.
 class wired_chip : public sc_core::sc_module {
  public:
   /// The screen at a chip's pins.
@@ -46,6 +47,9 @@ class wired_chip : public sc_core::sc_module {
   virtual void count() = 0;
   /// What was counted since the last call.
   virtual frame_counts take_counts() = 0;
+
+  /// All modules in it: its units, and those that only hold others.
+  std::vector<sc_core::sc_module*> modules() const;
 
  protected:
   using sc_core::sc_module::sc_module;

@@ -4,10 +4,12 @@
 
 #include <string>
 
+#include "sc/block/block_chip.h"
 #include "sc/block/block_parameters.h"
 #include "sc/block/codes.h"
 #include "sc/block/counters.h"
 #include "sc/block/knobs.h"
+#include "sc/block/units.h"
 
 namespace racebeam {
 
@@ -27,20 +29,15 @@ video_clocks video(const knob_values&) { return {block_knobs::clocks_per_pixel};
 
 std::vector<rtl_parameter> parameters(const knob_values& k) { return block_parameters(k); }
 
-const std::vector<unit_row>& no_units() {
-  static const std::vector<unit_row> none;
-  return none;
-}
-
 }  // namespace
 
 const engine& block_engine() {
   static const engine row = {"block",
                              "integer renderer of 16 x 16 blocks on many small cores",
-                             {"tlm"},
+                             {"tlm", "signal"},
                              "",
                              false,
-                             no_units(),
+                             block_unit_table(),
                              block_knob_rows(),
                              block_counter_infos(),
                              block_histogram_infos(),
@@ -50,7 +47,7 @@ const engine& block_engine() {
                              settle,
                              objection,
                              video,
-                             nullptr,
+                             make_block_chip,
                              parameters};
   return row;
 }

@@ -14,7 +14,4 @@ namespace racebeam {
 /// store and vga_timing, too. `scene` nullptr: start values and no planes.
 const std::vector<unit_row>& sphere_unit_table();
 
-/// All units wired in RTL.
-constexpr const char* SphereTop = "sphere_top";
-
 }  // namespace racebeam

@@ -9,6 +9,7 @@
 #include "sc/sphere/engine.h"
 #include "tb/bench/beam_bench.h"
 #include "tb/bench/block_bench.h"
+#include "tb/bench/block_hands.h"
 #include "tb/bench/block_tlm_bench.h"
 #include "tb/bench/sphere_bench.h"
 #include "tb/bench/sphere_hands.h"
@@ -20,7 +21,7 @@ const std::vector<BenchKind>& benches() {
   static const std::vector<BenchKind> table = {
       {beam_engine(), true, true, make_beam_bench, nullptr, nullptr},
       {sphere_engine(), false, false, make_sphere_bench, make_sphere_hands, sphere_pixels},
-      {block_engine(), false, false, make_block_bench, nullptr, block_pixels}};
+      {block_engine(), false, false, make_block_bench, make_block_hands, block_pixels}};
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include "tb/bench/block_bench.h"
 
 #include "sc/store/frame_scanout.h"
+#include "tb/bench/block_signal_bench.h"
 #include "tb/bench/block_tlm_bench.h"
 #include "tb/bench/store_pins.h"
 
@@ -29,8 +30,11 @@ VgaFrame block_picture(int picture, const std::vector<std::uint64_t>& words, con
 
 }  // namespace
 
-std::unique_ptr<ChipBench> make_block_bench(const std::string&, const WiredBench::Setting& setting,
+std::unique_ptr<ChipBench> make_block_bench(const std::string& level,
+                                            const WiredBench::Setting& setting,
                                             const BenchWishes& wishes) {
+  if (level != setting.built.levels.front())
+    return std::make_unique<BlockSignalBench>(setting, wishes);
   return std::make_unique<BlockTlmBench>(setting, wishes);
 }
 

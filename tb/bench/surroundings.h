@@ -17,8 +17,9 @@ class Surroundings {
   virtual void clock() = 0;
   /// A picture was begun, and is not done.
   virtual bool busy() const = 0;
-  /// Keeps the chip in reset until the next seek().
-  virtual void hold_reset() = 0;
+  /// Begins no picture until the next seek(). The one that was begun is given up, which takes a
+  /// frame; or it ends while the chip is busy.
+  virtual void stop() = 0;
   /// Lets so many frames go by after each picture, which the screen then shows.
   virtual void rest(int frames) = 0;
   /// Pictures that are done since the start.

@@ -146,9 +146,9 @@ void WiredBench::Platform::put_all_beside() {
   const engine& built = setting.built;
   for (const std::string& unit : built.unit_names(setting.scene != nullptr)) {
     if (!setting.units.of(unit).lockstep) continue;
-    for (auto* child : dut->get_child_objects())
-      if (child->basename() == built.unit(unit)->instance())
-        put_beside(unit, unit, dynamic_cast<sc_core::sc_module&>(*child));
+    const std::string name = std::string(dut->name()) + "." + built.unit(unit)->path();
+    for (const auto* module : dut->modules())
+      if (module->name() == name) put_beside(unit, unit, *module);
   }
   if (setting.units.of(built.top).lockstep) put_beside("top", built.top, *dut).check_wiring(*dut);
 }
@@ -162,8 +162,9 @@ void WiredBench::seek(int frame) {
   Platform& p = *platform_;
   if (frame == p.next_frame) return;
   if (p.around && p.around->busy()) {
-    p.around->hold_reset();
-    advance(p.raster.frame_clocks());
+    p.around->stop();
+    do advance(p.raster.frame_clocks());
+    while (p.around->busy());
   }
   p.dut->deposit(frame);
   for (auto& lockstep : p.locksteps)
@@ -241,8 +242,8 @@ void WiredBench::Platform::look_each_clock() {
 }
 
 void WiredBench::watch_registers() {
-  for (auto* child : platform_->dut->get_child_objects())
-    if (auto* unit = dynamic_cast<probed*>(child)) unit->watch();
+  for (auto* module : platform_->dut->modules())
+    if (auto* unit = dynamic_cast<probed*>(module)) unit->watch();
 }
 
 void WiredBench::forget_differences() {

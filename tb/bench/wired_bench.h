@@ -43,7 +43,7 @@ class WiredBench : public ChipBench {
   WiredBench(const Setting& setting, const Watches& watches);
   ~WiredBench() override;
 
-  /// Not in the middle of a frame. A chip with surroundings that is busy loses a frame by it.
+  /// Not in the middle of a frame. A chip with surroundings that is busy loses frames by it.
   void seek(int frame) override;
   /// Simulates so many clocks, to the end of the frame at most. Throws SyncError, what
   /// each_clock()'s `look` throws, RtlFault, and Interrupted between two lines.

@@ -41,8 +41,19 @@ void add_inner(std::vector<ChipSignal>& all, std::vector<probe> probes, const st
   }
 }
 
-void add_unit(std::vector<ChipSignal>& all, const sc_core::sc_module& unit,
-              const std::string& scope) {
+void add_wires(std::vector<ChipSignal>& all, const sc_core::sc_module& module) {
+  const std::string scope = module.name();
+  for (const auto* child : module.get_child_objects())
+    if_wire(
+        *child,
+        [&](int bits, wire_contents wire) {
+          all.push_back({scope, child->basename(), bits, wire});
+        },
+        std::make_integer_sequence<int, WidestWire>());
+}
+
+void add_unit(std::vector<ChipSignal>& all, const sc_core::sc_module& unit) {
+  const std::string scope = unit.name();
   std::set<std::string> ports;
   for (const any_port* port : ports_of(unit)) {
     ports.insert(port->port_name());
@@ -56,23 +67,17 @@ void add_unit(std::vector<ChipSignal>& all, const sc_core::sc_module& unit,
 
 std::string scope_of_unit(const std::string& unit) {
   const unit_row* row = engine_of_unit(unit).unit(unit);
-  return row ? "chip." + row->instance() : "chip";
+  return row ? "chip." + row->path() : "chip";
 }
 
 std::vector<ChipSignal> chip_signals(const WiredBench& bench) {
   std::vector<ChipSignal> all;
-  add_unit(all, bench.dut(), "chip");
-  for (const auto* child : bench.dut().get_child_objects()) {
-    if_wire(
-        *child,
-        [&](int bits, wire_contents wire) {
-          all.push_back({"chip", child->basename(), bits, wire});
-        },
-        std::make_integer_sequence<int, WidestWire>());
+  add_unit(all, bench.dut());
+  add_wires(all, bench.dut());
+  for (const auto* module : bench.dut().modules()) {
+    add_unit(all, *module);
+    add_wires(all, *module);
   }
-  for (const auto* child : bench.dut().get_child_objects())
-    if (const auto* unit = dynamic_cast<const sc_core::sc_module*>(child))
-      add_unit(all, *unit, std::string("chip.") + unit->basename());
   for (const Lockstep* lockstep : bench.locksteps())
     add_inner(all, lockstep->probes(), scope_of_unit(lockstep->unit()) + ".rtl", {});
   return all;

@@ -9,9 +9,11 @@
 #include "sc/beam/engine.h"
 #include "sc/beam/knob_parameters.h"
 #include "sc/beam/pwm_sound.h"
+#include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_tracer.h"
 #include "tb/twin/beam_twins.h"
+#include "tb/twin/block_twins.h"
 #include "tb/twin/sphere_twins.h"
 #include "tb/twin/tracer_walk.h"
 #include "tb/twin/tune_walk.h"
@@ -37,6 +39,9 @@ Twins beam() {
           {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>}}};
 }
 
+// It has the pins of a memory that the chip has inside.
+bool no_top(const knob_values&, const scene_tables*) { return false; }
+
 const sphere_tables& tables_of(const scene_tables* scene) {
   static const sphere_tables built_in;
   return scene ? *static_cast<const sphere_tables*>(scene) : built_in;
@@ -48,10 +53,19 @@ Twins sphere() {
             return sphere_plugins(k, tables_of(scene), traced);
           },
           [](const knob_values& k) { return sphere_inputs_of(k); },
-          // It has the pins of a memory that the chip has inside.
-          [](const knob_values&, const scene_tables*) { return false; },
+          no_top,
           {{sphere_tracer::unit_name, "to the end of a picture", TracerWalk::Clocks,
             begin_walk<TracerWalk>}}};
+}
+
+Twins block() {
+  return {block_engine(),
+          [](const knob_values& k, const scene_tables*, bool traced) {
+            return block_plugins(k, traced);
+          },
+          [](const knob_values& k) { return block_inputs_of(k); },
+          no_top,
+          {}};
 }
 
 }  // namespace
@@ -63,7 +77,7 @@ const UnitWalk* Twins::walk(const std::string& unit) const {
 }
 
 const std::vector<Twins>& twins() {
-  static const std::vector<Twins> table = {beam(), sphere()};
+  static const std::vector<Twins> table = {beam(), sphere(), block()};
   return table;
 }
 

@@ -1,0 +1,102 @@
+// The block renderer on the bench: both levels alike.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/bench/block_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "sc/block/engine.h"
+#include "tb/bench/block_signal_bench.h"
+#include "tb/bench/block_tlm_bench.h"
+
+namespace racebeam {
+namespace {
+
+void expect_same(const ChipBench::Frame& a, const ChipBench::Frame& b) {
+  EXPECT_EQ(a.number, b.number);
+  const auto& infos = block_engine().counters;
+  for (std::size_t n = 0; n < infos.size(); ++n)
+    EXPECT_EQ(a.stats->counters[n], b.stats->counters[n])
+        << infos[n].name << " of picture " << a.number;
+  EXPECT_EQ(a.stats->histograms, b.stats->histograms);
+  EXPECT_EQ(a.time.clocks, b.time.clocks);
+  EXPECT_EQ(a.time.frames, b.time.frames);
+  EXPECT_EQ(a.picture.width, b.picture.width);
+  EXPECT_EQ(a.picture.bits, b.picture.bits);
+  EXPECT_TRUE(a.picture.colours == b.picture.colours) << "picture " << a.number;
+  EXPECT_EQ(a.picture.image_crc, b.picture.image_crc);
+  EXPECT_EQ(a.picture.pins_crc, b.picture.pins_crc);
+}
+
+/// Two small balls that come nearer.
+BlockProgram small_program() {
+  BlockProgram program;
+  program.set_bodies({{{-2, 0.5, 4}, {0.5, 0, -0.25}, 0.25, {0.25f, 0.75f, 0.5f}},
+                      {{1, -1, 5}, {-0.25, 0.5, 0}, 0.25, {0.75f, 0.5f, 0.25f}}});
+  return program;
+}
+
+/// Pictures at both levels, those that do not follow reached at once.
+void expect_levels_alike(const BlockProgram& program, const std::vector<int>& pictures,
+                         const block_knobs& k, const BenchWishes& wishes) {
+  const WiredBench::Setting setting{block_engine(), k, &program, 100};
+  BlockTlmBench tlm(setting, wishes);
+  BlockSignalBench signal(setting, wishes);
+  for (const int n : pictures) {
+    tlm.seek(n);
+    signal.seek(n);
+    expect_same(signal.render(), tlm.render());
+    EXPECT_EQ(signal.words(), tlm.words());
+  }
+}
+
+TEST(BlockBench, BothLevelsGiveTheSame) { expect_levels_alike(small_program(), {0, 1}, {}, {}); }
+
+TEST(BlockBench, BothLevelsShowTheSameAtThePins) {
+  expect_levels_alike(small_program(), {3}, {}, {true});
+}
+
+TEST(BlockBench, BothLevelsGiveTheSameWithOtherKnobs) {
+  block_knobs k;
+  k.cores = 9;
+  k.lanes = 2;
+  k.background = 0x204060;
+  k.size = BlockSize512;
+  k.write_buffer_depth = 8;
+  k.when_full = WhenFullDrop;
+  k.time_skip = 3;
+  k.load_bar = 1;
+  expect_levels_alike(small_program(), {2, 3}, k, {true});
+}
+
+TEST(BlockBench, TheBeamShowsACornerOfALargePicture) {
+  block_knobs k;
+  k.cores = 16;
+  k.size = BlockSize1920;
+  expect_levels_alike(small_program(), {0}, k, {true});
+}
+
+TEST(BlockBench, QuadIsTheSameAtBothLevels) {
+  expect_levels_alike(builtin_block_program(), {0}, {}, {});
+}
+
+TEST(BlockBench, APictureLeftInTheMiddleIsNotInTheNext) {
+  const BlockProgram program = small_program();
+  block_knobs k;
+  k.cores = 1;
+  k.cull = BlockCullOff;
+  const WiredBench::Setting setting{block_engine(), k, &program, 100};
+  BlockSignalBench left(setting, {});
+  left.advance(Raster(block_knobs::clocks_per_pixel).frame_clocks());
+  EXPECT_TRUE(left.around()->busy());
+  left.seek(5);
+  BlockTlmBench tlm(setting, {});
+  tlm.seek(5);
+  expect_same(left.render(), tlm.render());
+}
+
+}  // namespace
+}  // namespace racebeam
