@@ -90,13 +90,13 @@ module block_convert #(
   end
 
   always_comb begin
-    write_o = takes && field_i < block_pkg::BlockRv && field_i != block_pkg::BlockRadius;
+    write_o = takes && field_i < block_pkg::BlockRv;
     field_o = field_i;
     index_o = index_i;
     fixed_o = fixed;
     if (!ready_o) begin
       write_o = derive_q != 2'd2;
-      field_o = squares_radius ? block_pkg::BlockRadius : block_pkg::BlockRv;
+      field_o = squares_radius ? block_pkg::BlockRadius2 : block_pkg::BlockRv;
       index_o = index_q;
       fixed_o = squares_radius ? radius2 : radius2_q - norm2_q;
     end

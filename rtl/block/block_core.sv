@@ -13,7 +13,8 @@ module block_core #(
     parameter int NewtonSteps = 2,
     parameter int SpecularSquarings = 4,
     parameter int MaxPasses = 3,
-    parameter int Cull = 0,  // 0: corners, 2: off
+    parameter int Root = 0,
+    parameter int Cull = 0,  // 0: corners, 1: cone, 2: off
     parameter int Background = 0,  // {red, green, blue}
     parameter int PictureWidth = 640,
     parameter int PictureHeight = 480
@@ -46,6 +47,10 @@ module block_core #(
     input  wire logic [block_pkg::BlockBits-1:0] start_z_i,
     input  wire logic [block_pkg::BlockBits-1:0] ax_i,  // from pixel to pixel
     input  wire logic [block_pkg::BlockBits-1:0] ay_i,
+    /* verilator lint_off UNUSEDSIGNAL */  // of cull = cone
+    input  wire logic [block_pkg::BlockBits-1:0] cone_sine_i,
+    input  wire logic [block_pkg::BlockBits-1:0] cone_cosine2_i,
+    /* verilator lint_on UNUSEDSIGNAL */
     // block_bus
     output logic word_valid_o,
     output logic [19:0] word_address_o,
@@ -104,6 +109,8 @@ module block_core #(
   wire block_pkg::number steps = Bits'(pixels) * (step_q ? ay_i : ax_i);
   wire block_pkg::number right = (ax_i << 4) - ax_i;  // to the last pixel
   wire block_pkg::number down = (ay_i << 4) - ay_i;
+  wire block_pkg::number half_right = right >>> 1;  // to the middle
+  wire block_pkg::number half_down = down >>> 1;
   wire logic [PlaceBits-1:0] y = job_y_q + PlaceBits'(row_q);
   wire logic clipped = 32'(job_y_q) + block_pkg::BlockSide > PictureHeight;
   wire logic last_row = row_q == (clipped ? ClippedRow : 4'd15);
@@ -122,6 +129,9 @@ module block_core #(
   wire logic [3*Bits-1:0] centre = centres[32'(chosen)*3*Bits+:3*Bits];
   wire logic [3*Bits-1:0] base = bases[32'(chosen)*3*Bits+:3*Bits];
   wire block_pkg::number rv = rvs[32'(chosen)*Bits+:Bits];
+  /* verilator lint_off UNUSEDSIGNAL */  // of cull = cone
+  wire logic [Lanes*Bits-1:0] radii, squares;
+  /* verilator lint_on UNUSEDSIGNAL */
 
   for (genvar n = 0; n < Lanes; n++) begin : g_lane
     wire block_pkg::axes own_pose, own_centre, own_base, a, ray;
@@ -146,6 +156,7 @@ module block_core #(
         .centre_x_o(own_centre[2*Bits+:Bits]),
         .centre_y_o(own_centre[Bits+:Bits]),
         .centre_z_o(own_centre[0+:Bits]),
+        .radius_o(radii[n*Bits+:Bits]),
         .radius2_o(radius2),
         .red_o(own_base[2*Bits+:Bits]),
         .green_o(own_base[Bits+:Bits]),
@@ -155,6 +166,7 @@ module block_core #(
     assign centres[n*3*Bits+:3*Bits] = own_centre;
     assign bases[n*3*Bits+:3*Bits] = own_base;
     assign rvs[n*Bits+:Bits] = own_rv;
+    assign squares[n*Bits+:Bits] = radius2;
 
     assign a = in_cull ? pose
                : first_pass ? own_pose : block_pkg::difference_of(position_q, own_centre);
@@ -178,7 +190,22 @@ module block_core #(
     assign exists[n] = (32'(index_q) << LaneBits) + n < 32'(spheres_i);
   end
 
-  wire logic keeps = crossed[CornerLanes-1:0] != '0;
+  logic keeps;
+  if (Cull == 1) begin : g_cone
+    wire block_pkg::number radius = radii[32'(chosen)*Bits+:Bits];
+    wire block_pkg::number square = squares[32'(chosen)*Bits+:Bits];
+    wire block_pkg::number ahead = -b[0+:Bits];
+    wire block_pkg::product ahead_sine = ahead * $signed(cone_sine_i);
+    wire block_pkg::number reach =
+        radius + block_pkg::BlockConeSlack + block_pkg::fixed_of(ahead_sine);
+    wire block_pkg::number beside2 = square - d[0+:Bits];
+    wire block_pkg::product beside_cosine = beside2 * $signed(cone_cosine2_i);
+    wire block_pkg::product reach2 = reach * reach;
+    assign keeps = !reach[Bits-1]
+        && block_pkg::fixed_of(beside_cosine) <= block_pkg::fixed_of(reach2);
+  end else begin : g_corners
+    assign keeps = crossed[CornerLanes-1:0] != '0;
+  end
   wire logic [Lanes-1:0] hits = crossed & exists;
   wire logic last_sphere = 32'(index_q) + 1 >= 32'(spheres_i);
   wire logic last_group = (32'(index_q) + 1) << LaneBits >= 32'(spheres_i);
@@ -206,9 +233,16 @@ module block_core #(
   end
 
   wire logic [RootBits-1:0] root;
-  block_root u_block_root (
+  wire logic root_done;
+  block_root #(
+      .Root(Root)
+  ) u_block_root (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .start_i(state_q == block_pkg::BlockNear),
       .d_i(near_d),
-      .root_o(root)
+      .root_o(root),
+      .done_o(root_done)
   );
   wire block_pkg::number t = -near_b - Bits'(root);
   wire logic nearer = t > 0 && t < best_q;
@@ -216,8 +250,10 @@ module block_core #(
   // --- Unit vectors and light ------------------------------------------------------------------
   wire block_pkg::axes v, v_shade, unit_vector, point, direction, light_of_hit;
   wire logic unit_done, small_vector, normalise, shade_done;
-  wire block_pkg::number corner_x = at_x_q + (corner_q[1] ? right : '0);
-  wire block_pkg::number corner_y = at_y_q - (corner_q[1] ^ corner_q[0] ? down : '0);
+  wire block_pkg::number corner_x =
+      at_x_q + (Cull == 1 ? half_right : corner_q[1] ? right : '0);
+  wire block_pkg::number corner_y =
+      at_y_q - (Cull == 1 ? half_down : corner_q[1] ^ corner_q[0] ? down : '0);
   assign v = in_shade ? v_shade
              : {in_corner ? corner_x : at_x_q, in_corner ? corner_y : at_y_q, start_z_i};
 
@@ -318,8 +354,8 @@ module block_core #(
   // --- What counters are told ------------------------------------------------------------------
   always_comb begin
     event_d = small_vector ? block_pkg::BlockSmallVector : block_pkg::BlockNoEvent;
-    if (state_q == block_pkg::BlockNear && near_over) event_d = block_pkg::BlockRootOver;
-    if (in_cull)
+    if (state_q == block_pkg::BlockNear && root_done && near_over) event_d = block_pkg::BlockRootOver;
+    if (in_cull && Cull == 0)
       for (int n = CornerLanes - 1; n >= 0; n--)
         if (crossed[n])
           unique case (corner_q + 2'(n))
@@ -359,13 +395,13 @@ module block_core #(
       end
       block_pkg::BlockCorner:
       if (unit_done) begin
-        corner_d = corner_q + 1'b1;
-        if (corner_q == 2'd3) state_d = none ? block_pkg::BlockClear : block_pkg::BlockCull;
+        corner_d = Cull == 1 ? '0 : corner_q + 1'b1;
+        if (Cull == 1 || corner_q == 2'd3) state_d = none ? block_pkg::BlockClear : block_pkg::BlockCull;
       end
       block_pkg::BlockCull: begin
-        if (LastQuarter != '0) corner_d = corner_q + 2'(CornerLanes);
+        if (Cull == 0 && LastQuarter != '0) corner_d = corner_q + 2'(CornerLanes);
         if (keeps) state_d = block_pkg::BlockPixel;
-        else if (LastQuarter == '0 || corner_q == 2'(Corners - CornerLanes)) begin
+        else if (Cull == 1 || LastQuarter == '0 || corner_q == 2'(Corners - CornerLanes)) begin
           index_d = index_q + 1'b1;
           if (last_sphere) state_d = block_pkg::BlockClear;
         end
@@ -401,7 +437,8 @@ module block_core #(
           else index_d = index_q + 1'b1;
         end
       end
-      block_pkg::BlockNear: begin
+      block_pkg::BlockNear:
+      if (root_done) begin
         pending_d = others;
         if (nearer) begin
           hit_d = 1'b1;

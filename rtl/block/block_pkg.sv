@@ -14,13 +14,14 @@ package block_pkg;
   localparam int BlockRootBits = 23;
   localparam int BlockDistanceBits = 33;
   localparam int BlockFar = 2047;
+  localparam int BlockConeSlack = 16384;
   localparam int BlockSmallLength2 = 4096;
 
   // Spheres
   localparam int BlockEntries = 64;
   localparam int BlockIndexBits = 6;
   localparam int BlockCountBits = 7;
-  localparam int BlockFieldBits = 4;
+  localparam int BlockFieldBits = 5;
 
   // Picture, cores and store
   localparam int BlockSide = 16;
@@ -56,23 +57,24 @@ package block_pkg;
     BlockRootOver = 3'd6
   } block_event;
 
-  typedef enum logic [3:0] {
-    BlockCentreX = 4'd0,
-    BlockCentreY = 4'd1,
-    BlockCentreZ = 4'd2,
-    BlockRadius = 4'd3,
-    BlockRed = 4'd4,
-    BlockGreen = 4'd5,
-    BlockBlue = 4'd6,
-    BlockRv = 4'd7,
-    BlockEyeX = 4'd8,
-    BlockEyeY = 4'd9,
-    BlockEyeZ = 4'd10,
-    BlockLightX = 4'd11,
-    BlockLightY = 4'd12,
-    BlockLightZ = 4'd13,
-    BlockScreenWidth = 4'd14,
-    BlockScreenHeight = 4'd15
+  typedef enum logic [4:0] {
+    BlockCentreX = 5'd0,
+    BlockCentreY = 5'd1,
+    BlockCentreZ = 5'd2,
+    BlockRadius = 5'd3,
+    BlockRed = 5'd4,
+    BlockGreen = 5'd5,
+    BlockBlue = 5'd6,
+    BlockRv = 5'd7,
+    BlockEyeX = 5'd8,
+    BlockEyeY = 5'd9,
+    BlockEyeZ = 5'd10,
+    BlockLightX = 5'd11,
+    BlockLightY = 5'd12,
+    BlockLightZ = 5'd13,
+    BlockScreenWidth = 5'd14,
+    BlockScreenHeight = 5'd15,
+    BlockRadius2 = 5'd16
   } block_field;
 
   // --- Arithmetic ------------------------------------------------------------------------------

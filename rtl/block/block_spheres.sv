@@ -27,6 +27,7 @@ module block_spheres #(
     output logic [block_pkg::BlockBits-1:0] centre_x_o,  // signed
     output logic [block_pkg::BlockBits-1:0] centre_y_o,
     output logic [block_pkg::BlockBits-1:0] centre_z_o,
+    output logic [block_pkg::BlockBits-1:0] radius_o,
     output logic [block_pkg::BlockBits-1:0] radius2_o,
     output logic [block_pkg::BlockBits-1:0] red_o,
     output logic [block_pkg::BlockBits-1:0] green_o,
@@ -39,7 +40,8 @@ module block_spheres #(
   typedef logic [Bits-1:0] number;
 
   number pose_x_q[Entries], pose_y_q[Entries], pose_z_q[Entries], rv_q[Entries];
-  number centre_x_q[Entries], centre_y_q[Entries], centre_z_q[Entries], radius2_q[Entries];
+  number centre_x_q[Entries], centre_y_q[Entries], centre_z_q[Entries];
+  number radius_q[Entries], radius2_q[Entries];
   number red_q[Entries], green_q[Entries], blue_q[Entries];
 
   /* verilator lint_off UNUSEDSIGNAL */  // more lanes, fewer entries
@@ -59,7 +61,8 @@ module block_spheres #(
         block_pkg::BlockRed: red_q[to] <= value_i;
         block_pkg::BlockGreen: green_q[to] <= value_i;
         block_pkg::BlockBlue: blue_q[to] <= value_i;
-        block_pkg::BlockRadius: radius2_q[to] <= value_i;
+        block_pkg::BlockRadius: radius_q[to] <= value_i;
+        block_pkg::BlockRadius2: radius2_q[to] <= value_i;
         block_pkg::BlockRv: rv_q[to] <= value_i;
         default: ;
       endcase
@@ -73,6 +76,7 @@ module block_spheres #(
   assign centre_x_o = centre_x_q[from];
   assign centre_y_o = centre_y_q[from];
   assign centre_z_o = centre_z_q[from];
+  assign radius_o = radius_q[from];
   assign radius2_o = radius2_q[from];
   assign red_o = red_q[from];
   assign green_o = green_q[from];

@@ -65,6 +65,8 @@ void block_chip::connect(const wired_chip::pins& bench) {
   spheres_i(host_->spheres);
   ax_i(host_->ax);
   ay_i(host_->ay);
+  cone_sine_i(host_->cone_sine);
+  cone_cosine2_i(host_->cone_cosine2);
   start_i(host_->start);
   done_o(host_->done);
 }

@@ -51,6 +51,7 @@ class block_chip final : public picture_chip {
   out_port<1> ready_o{"ready_o"};
   in_port<BlockCountBits> spheres_i{"spheres_i"};
   in_port<BlockBits> ax_i{"ax_i"}, ay_i{"ay_i"};
+  in_port<BlockBits> cone_sine_i{"cone_sine_i"}, cone_cosine2_i{"cone_cosine2_i"};
   in_port<1> start_i{"start_i"};
   out_port<1> done_o{"done_o"};
 
@@ -68,6 +69,7 @@ class block_chip final : public picture_chip {
     wire<1> ready{"ready"};
     wire<BlockCountBits> spheres{"spheres"};
     wire<BlockBits> ax{"ax"}, ay{"ay"};
+    wire<BlockBits> cone_sine{"cone_sine"}, cone_cosine2{"cone_cosine2"};
     wire<1> start{"start"}, done{"done"};
   };
   host_wires& host() { return *host_; }

@@ -61,6 +61,8 @@ void block_chip::bind_core(block_core_place& place) {
   u.start_i.bind(start);
   u.ax_i(ax_i);
   u.ay_i(ay_i);
+  u.cone_sine_i(cone_sine_i);
+  u.cone_cosine2_i(cone_cosine2_i);
   u.word_valid_o(place.word_valid);
   u.word_address_o(place.word_address);
   u.word_o(place.word);

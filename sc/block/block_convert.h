@@ -2,13 +2,13 @@
 //
 // What    valid_i and ready_o take a float at the end of the clock: f2i(float), to units of 2^-14,
 //         ties to even, for what is below 256; 0 beyond. With fraction_bits below 20 the low
-//         20 - fraction_bits bits are 0. A centre or colour goes to block_spheres in the same clock
-//         (write_o, field_o, index_o, fixed_o; eye_k_o is the eye's component of a centre's axis,
-//         else 0). Eye and light are kept, and the screen: start_o, the place of the first pixel,
-//         is
+//         20 - fraction_bits bits are 0. A centre, radius or colour goes to block_spheres in the
+//         same clock (write_o, field_o, index_o, fixed_o; eye_k_o is the eye's component of a
+//         centre's axis, else 0). Eye and light are kept, and the screen: start_o, the place of the
+//         first pixel, is
 //         (-width / 2 - eye.x, height / 2 - eye.y, -eye.z), halves rounded down.
 //         After BlockBlue, which comes last of a sphere, three clocks without ready_o: the square
-//         of the radius is written as BlockRadius; the norm of eye - centre is made; their
+//         of the radius is written as BlockRadius2; the norm of eye - centre is made; their
 //         difference is written as BlockRv.
 // Size    3 multipliers 32 x 32.
 // Cycles  a number a clock, 10 clocks a sphere.

@@ -37,12 +37,12 @@ struct block_convert_core {
   }
   outputs comb(const inputs& in, const block_knobs& k) const {
     if (step_q == 1)
-      return {false, true, BlockRadius, index_q, imul(radius_q, radius_q), eye_k(in.field)};
+      return {false, true, BlockRadius2, index_q, imul(radius_q, radius_q), eye_k(in.field)};
     if (step_q >= 2)
       return {false,          step_q == 3, BlockRv, index_q, block_difference(radius2_q, norm2_q),
               eye_k(in.field)};
-    const bool kept = in.field < BlockRv && in.field != BlockRadius;
-    return {true, in.valid && kept, in.field, in.index, fixed(in, k), eye_k(in.field)};
+    return {true,           in.valid && in.field < BlockRv, in.field, in.index, fixed(in, k),
+            eye_k(in.field)};
   }
   vec3 start() const {
     return {block_difference(wrap32(-std::int64_t{width_q}) >> 1, eye_q[0]),

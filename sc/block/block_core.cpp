@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/block/block_core.h"
 
-#include <stdexcept>
-
 namespace racebeam {
 
 block_core::block_core(const sc_core::sc_module_name& name, const block_knobs& k)
     : block_core_pins(name), knobs_(k) {
-  if (k.cull == BlockCullCone)
-    throw std::invalid_argument("block_core knows cull = corners and off, not cone");
   SC_HAS_PROCESS(block_core);
   SC_METHOD(seq);
   sensitive << clk_i.pos();
@@ -30,6 +26,8 @@ void block_core::seq() {
                start_i.signed_value(),
                static_cast<int>(ax_i.signed_value()),
                static_cast<int>(ay_i.signed_value()),
+               static_cast<int>(cone_sine_i.signed_value()),
+               static_cast<int>(cone_cosine2_i.signed_value()),
                word_ready_i.value() != 0},
               knobs_);
   drive();

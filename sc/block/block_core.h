@@ -9,14 +9,17 @@
 // Cycles  state (state_o)   clocks
 //         BlockIdle         until a job; job_ready_o
 //         BlockJob          2: the first pixel's place, x and y
-//         BlockCorner       4 unit vectors: corners ul, bl, br, ur, 15 steps apart
-//         BlockCull         1 a sphere (lanes below 4: 4 / lanes), up to the first that keeps the
-//                           block: b * b + rv > 0 in any of the corners
+//         BlockCorner       4 unit vectors: corners ul, bl, br, ur, 15 steps apart; cull = cone:
+//                           1, of the block's middle
+//         BlockCull         1 a sphere (corners, lanes below 4: 4 / lanes), up to the first that
+//                           keeps the block: b * b + rv > 0 in any of the corners; cone: with
+//                           ahead = -b of the middle and reach = radius + 1/64 + ahead * sine,
+//                           reach >= 0 and (|pose|^2 - b * b) * cosine2 <= reach * reach
 //         BlockClear        6 a row: two words each of red, green, blue
 //         BlockPixel        a unit vector, 3 + 3 * newton_steps
 //         BlockGroup        1 a group in the first pass, 2 in later ones
-//         BlockNear         1 a lane of the group with d > 0, lowest first: t = -b - root(d); the
-//                           nearest t > 0 below BlockFar counts
+//         BlockNear         block_root's, 1, 9 or 12, a lane of the group with d > 0, lowest first:
+//                           t = -b - root(d); the nearest t > 0 below BlockFar counts
 //         BlockDecide       1
 //         BlockShade        block_shade's
 //         BlockStore        1
@@ -29,9 +32,9 @@
 // Reset   rst_ni = 0: BlockIdle, BlockNoEvent. Places, counts and numbers are without reset.
 // Address of a word: plane * (width * height / 8) + y * (width / 8) + x / 8; rows of a block below
 //         the picture are not drawn.
-// Knobs   lanes, newton_steps, specular_squarings, max_passes, cull, background, size: parameters
-//         Lanes, NewtonSteps, SpecularSquarings, MaxPasses, Cull, Background, PictureWidth,
-//         PictureHeight. cull = cone is of block_rays alone.
+// Knobs   lanes, newton_steps, specular_squarings, max_passes, root, cull, background, size:
+//         parameters Lanes, NewtonSteps, SpecularSquarings, MaxPasses, Root, Cull, Background,
+//         PictureWidth, PictureHeight.
 // Twin    rtl/block/block_core.sv
 // Test    tests/block/block_core_test.cpp
 // Source  article "The Integer Raytracer".
@@ -73,6 +76,8 @@ class block_core_pins : public sc_core::sc_module {
   axes_in<BlockBits> start_i{"start", "_i"};       // signed, of block (0, 0)
   in_port<BlockBits> ax_i{"ax_i"};                 // from pixel to pixel
   in_port<BlockBits> ay_i{"ay_i"};                 // from row to row
+  in_port<BlockBits> cone_sine_i{"cone_sine_i"};   // of the angle of a block; cull = cone
+  in_port<BlockBits> cone_cosine2_i{"cone_cosine2_i"};
   // block_bus
   out_port<1> word_valid_o{"word_valid_o"};
   out_port<BlockAddressBits> word_address_o{"word_address_o"};
@@ -91,7 +96,6 @@ class block_core : public block_core_pins, public probed {
   using pins = block_core_pins;
   static constexpr const char* unit_name = "block_core";
 
-  /// Throws std::invalid_argument for cull = cone.
   block_core(const sc_core::sc_module_name& name, const block_knobs& k);
   std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 

@@ -42,9 +42,14 @@ block_shade_core::inputs block_core_core::hit_of(const inputs& in, const block_k
 }
 
 /// What block_normalise gets.
-vec3 block_core_core::normalised(const inputs& in, const block_shade_core::inputs& hit) const {
+vec3 block_core_core::normalised(const inputs& in, const block_shade_core::inputs& hit,
+                                 const block_knobs& k) const {
   if (state_q == BlockShade) return shade_q.vector(hit);
   if (state_q != BlockCorner) return {at_x_q, at_y_q, in.start[2]};
+  if (k.cull == BlockCullCone)  // the middle
+    return {block_sum(at_x_q, wrap32(std::int64_t{BlockSide - 1} * in.ax) >> 1),
+            block_difference(at_y_q, wrap32(std::int64_t{BlockSide - 1} * in.ay) >> 1),
+            in.start[2]};
   const bool right = corner_q == 2 || corner_q == 3, low = corner_q == 1 || corner_q == 2;
   constexpr int Steps = BlockSide - 1;
   return {right ? wrap32(at_x_q + std::int64_t{Steps} * in.ax) : at_x_q,
@@ -53,17 +58,19 @@ vec3 block_core_core::normalised(const inputs& in, const block_shade_core::input
 
 void block_core_core::clock(const inputs& in, const block_knobs& k) {
   block_shade_core::inputs hit = hit_of(in, k);
-  const vec3 v = normalised(in, hit);
+  const vec3 v = normalised(in, hit, k);
   const block_normalise_core::outputs unit = normalise_q.comb(v, k);
   hit.unit = unit.unit;
   hit.unit_done = unit.done;
+  const block_root_core::inputs near{in.rst_n, state_q == BlockNear,
+                                     d_q[static_cast<std::size_t>(near_lane(k))]};
   const bool normalises = state_q == BlockCorner || state_q == BlockPixel || shade_q.normalise();
 
   event_q = normalise_q.small() ? BlockSmallVector : BlockNoEvent;
   switch (state_q) {
     case BlockIdle: take_job(in); break;
     case BlockJob: place_job(in, k); break;
-    case BlockCorner: corner(unit, in); break;
+    case BlockCorner: corner(unit, in, k); break;
     case BlockCull: cull(in, k); break;
     case BlockClear: clear(in, k); break;
     case BlockPixel: pixel(unit, in); break;
@@ -74,6 +81,7 @@ void block_core_core::clock(const inputs& in, const block_knobs& k) {
     case BlockStore: store(in, k); break;
     default: words(in, k);
   }
+  root_q.clock(near, k);
   shade_q.clock(hit, k);
   normalise_q.clock({in.rst_n, normalises, v}, k);
   if (in.write.write) {
@@ -106,22 +114,24 @@ void block_core_core::place_job(const inputs& in, const block_knobs& k) {
   state_q = k.cull == BlockCullOff ? BlockPixel : BlockCorner;
 }
 
-void block_core_core::corner(const block_normalise_core::outputs& unit, const inputs& in) {
+void block_core_core::corner(const block_normalise_core::outputs& unit, const inputs& in,
+                             const block_knobs& k) {
   if (!unit.done) return;
   corners_q[static_cast<std::size_t>(corner_q)] = unit.unit;
-  corner_q = (corner_q + 1) % Corners;
+  corner_q = k.cull == BlockCullCone ? 0 : (corner_q + 1) % Corners;
   if (corner_q == 0) state_q = in.spheres ? BlockCull : BlockClear;
 }
 
 void block_core_core::cull(const inputs& in, const block_knobs& k) {
   const block_sphere& row = sphere(index_q, k);
-  const int tested = std::min(k.lanes, Corners);
-  for (int n = 0; n < tested && event_q == BlockNoEvent; ++n) {
+  const bool cone = k.cull == BlockCullCone;
+  const int tested = cone ? Corners : std::min(k.lanes, Corners);
+  for (int n = 0; n < tested && !cone && event_q == BlockNoEvent; ++n) {
     const int at = (corner_q + n) % Corners;
     const vec3& dir = corners_q[static_cast<std::size_t>(at)];
     if (block_lane_core().comb({false, row.pose, dir, row.rv}).d > 0) event_q = BlockKept0 + at;
   }
-  if (event_q != BlockNoEvent) {
+  if (event_q != BlockNoEvent || (cone && in_cone(row, in))) {
     index_q = corner_q = 0;
     state_q = BlockPixel;
     return;
@@ -134,6 +144,15 @@ void block_core_core::cull(const inputs& in, const block_knobs& k) {
   }
   index_q = 0;
   state_q = BlockClear;
+}
+
+bool block_core_core::in_cone(const block_sphere& row, const inputs& in) const {
+  const block_lane_core::outputs lane =
+      block_lane_core().comb({false, row.pose, corners_q[0], row.rv});
+  const int ahead = block_difference(0, lane.b);
+  const int reach = block_sum(block_sum(row.radius, BlockConeSlack), imul(ahead, in.cone_sine));
+  const int beside2 = wrap32(row.radius2 - lane.d);
+  return reach >= 0 && imul(beside2, in.cone_cosine2) <= imul(reach, reach);
 }
 
 void block_core_core::clear(const inputs& in, const block_knobs& k) {
@@ -190,11 +209,18 @@ void block_core_core::group(const inputs& in, const block_knobs& k) {
   else next_group(in, k);
 }
 
-void block_core_core::nearest(const inputs& in, const block_knobs& k) {
+/// The lowest that waits.
+int block_core_core::near_lane(const block_knobs& k) const {
   int lane = 0;
   while (lane < k.lanes - 1 && !bit_of(pending_q, lane)) ++lane;
+  return lane;
+}
+
+void block_core_core::nearest(const inputs& in, const block_knobs& k) {
+  if (!root_q.done(k)) return;
+  const int lane = near_lane(k);
   const auto n = static_cast<std::size_t>(lane);
-  const int t = wrap32(-std::int64_t{b_q[n]} - isqrt(d_q[n]));
+  const int t = wrap32(-std::int64_t{b_q[n]} - root_q.root(d_q[n], k));
   if (t > 0 && t < best_q) {
     best_q = t;
     hit_q = true;

@@ -12,6 +12,7 @@
 #include "sc/block/block_lane_core.h"
 #include "sc/block/block_normalise_core.h"
 #include "sc/block/block_pack_core.h"
+#include "sc/block/block_root_core.h"
 #include "sc/block/block_shade_core.h"
 #include "sc/block/block_spheres_core.h"
 #include "sc/block/knobs.h"
@@ -28,6 +29,7 @@ class block_core_core {
     int spheres;
     vec3 eye, light, start;
     int ax, ay;
+    int cone_sine, cone_cosine2;
     bool word_ready;
   };
 
@@ -69,8 +71,10 @@ class block_core_core {
 
   void take_job(const inputs& in);
   void place_job(const inputs& in, const block_knobs& k);
-  void corner(const block_normalise_core::outputs& unit, const inputs& in);
+  void corner(const block_normalise_core::outputs& unit, const inputs& in, const block_knobs& k);
   void cull(const inputs& in, const block_knobs& k);
+  bool in_cone(const block_sphere& row, const inputs& in) const;
+  int near_lane(const block_knobs& k) const;
   void clear(const inputs& in, const block_knobs& k);
   void pixel(const block_normalise_core::outputs& unit, const inputs& in);
   void group(const inputs& in, const block_knobs& k);
@@ -87,7 +91,8 @@ class block_core_core {
     return spheres_q[static_cast<std::size_t>(index % k.lanes)].row(index / k.lanes, k);
   }
   block_shade_core::inputs hit_of(const inputs& in, const block_knobs& k) const;
-  vec3 normalised(const inputs& in, const block_shade_core::inputs& hit) const;
+  vec3 normalised(const inputs& in, const block_shade_core::inputs& hit,
+                  const block_knobs& k) const;
 
   int step_q = 0;  // BlockJob, and BlockGroup of a later pass: the second clock
   int job_x_q = 0, job_y_q = 0;
@@ -108,6 +113,7 @@ class block_core_core {
   std::array<block_spheres_core, MostLanes> spheres_q;
   std::array<block_lane_core, MostLanes> lanes_q;
   block_normalise_core normalise_q;
+  block_root_core root_q;
   block_shade_core shade_q;
   block_pack_core pack_q;
 };

@@ -12,6 +12,7 @@ std::vector<rtl_parameter> block_parameters(const block_knobs& k) {
       {"Cores", k.cores, "the knob cores"},
       {"Lanes", k.lanes, "the knob lanes"},
       {"MaxPasses", k.max_passes, "the knob max_passes"},
+      {"Root", k.root, "the knob root"},
       {"Cull", k.cull, "the knob cull"},
       {"Background", k.background, "the knob background"},
       {"FractionBits", k.fraction_bits, "the knob fraction_bits"},

@@ -3,7 +3,6 @@
 #include "sc/block/block_rays.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sc/block/numbers.h"
 
@@ -14,8 +13,6 @@ namespace {
 constexpr int One = 1 << BlockFraction;
 constexpr int Far = BlockFar << BlockFraction;
 constexpr int JobClocks = 2;
-constexpr int ConeSlack = One / 64;
-constexpr double ConeSteps = 8.5;  // from the middle of a block to half a pixel beyond its corner
 
 /// As it is stored: eight bits.
 int channel(int value) { return std::min(value >> 12 & 0x1ffff, 255); }
@@ -39,10 +36,6 @@ block_rays::block_rays(const block_knobs& k, const block_world& world)
     rv_[n] = row.rv;
     radius2_[n] = row.radius2;
   }
-  const double angle = std::atan2(ConeSteps * std::hypot(world_.ax, world_.ay),
-                                  std::abs(static_cast<double>(world_.eye[2])));
-  cone_sine_ = static_cast<int>(std::lround(std::sin(angle) * One));
-  cone_cosine2_ = static_cast<int>(std::lround(std::cos(angle) * std::cos(angle) * One));
   job_.words.reserve(3 * BlockSide * BlockSide / 8);
 }
 
@@ -112,9 +105,9 @@ bool block_rays::cone_keeps(const vec3& first) {
   for (const block_row& row : world_.rows) {
     ++job_.clocks;
     const int b = block_difference(0, idot(row.pose, middle));
-    const int reach = block_sum(block_sum(row.radius, ConeSlack), imul(b, cone_sine_));
+    const int reach = block_sum(block_sum(row.radius, BlockConeSlack), imul(b, world_.cone_sine));
     const int beside2 = block_difference(inorm2(row.pose), imul(b, b));
-    if (reach >= 0 && imul(beside2, cone_cosine2_) <= imul(reach, reach)) return true;
+    if (reach >= 0 && imul(beside2, world_.cone_cosine2) <= imul(reach, reach)) return true;
   }
   return false;
 }
@@ -221,10 +214,11 @@ void block_rays::meet(ray& r, bool primary) {
 }
 
 void block_rays::near(ray& r, int sphere, int b, std::int64_t d) {
-  ++job_.clocks;
+  job_.clocks += knobs_.root_clocks();
   ++n_.roots;
   n_.root_out_of_range += d >> BlockRootBits != 0;
-  const int t = wrap32(-std::int64_t{b} - isqrt(static_cast<int>(d) & low_bits(BlockRootBits)));
+  const int t = wrap32(-std::int64_t{b} -
+                       root_of(static_cast<int>(d) & low_bits(BlockRootBits), knobs_.root));
   if (t <= 0 || t >= r.best) return;
   r.best = t;
   r.nearest = sphere;

@@ -95,7 +95,6 @@ class block_rays {
   const int spheres_, groups_;
   column pose_, centre_;
   std::array<int, BlockEntries> rv_{}, radius2_{};
-  int cone_sine_ = 0, cone_cosine2_ = 0;  // 12.20
   block_job job_;
   block_pixel* explained_ = nullptr;  // the next pixel
   std::array<std::uint64_t, 3> packed_{};

@@ -31,6 +31,7 @@ void block_spheres::comb() {
   pose_o.drive(row.pose);
   rv_o.drive(static_cast<std::uint64_t>(row.rv));
   centre_o.drive(row.centre);
+  radius_o.drive(static_cast<std::uint64_t>(row.radius));
   radius2_o.drive(static_cast<std::uint64_t>(row.radius2));
   red_o.drive(static_cast<std::uint64_t>(row.colour[0]));
   green_o.drive(static_cast<std::uint64_t>(row.colour[1]));

@@ -1,11 +1,11 @@
 // block_spheres: the spheres of one lane.
 //
 // What    write_i writes one field of an entry at the end of the clock. A centre's field writes
-//         pose = eye - centre of that axis too: eye_k_i is the eye's component. BlockRadius is the
-//         radius' square. The fields above BlockRv write nothing. Lane n of a core has the spheres
+//         pose = eye - centre of that axis too: eye_k_i is the eye's component. Of the fields
+//         above BlockRv BlockRadius2 alone is written. Lane n of a core has the spheres
 //         n, n + lanes, ... in the entries 0, 1, ...; of an index the bits above the entries do not
 //         count.
-// Size    64 / lanes entries of 352 bits.
+// Size    64 / lanes entries of 384 bits; without cull = cone nothing reads the radius: 352.
 // Cycles  a write is read from the next clock on.
 // Comb    group_i -> all outputs.
 // Stall   none.
@@ -43,6 +43,7 @@ class block_spheres_pins : public sc_core::sc_module {
   axes_out<BlockBits> pose_o{"pose", "_o"};      // signed, from the centre to the eye
   out_port<BlockBits> rv_o{"rv_o"};              // signed, radius2 - pose^2
   axes_out<BlockBits> centre_o{"centre", "_o"};  // signed
+  out_port<BlockBits> radius_o{"radius_o"};
   out_port<BlockBits> radius2_o{"radius2_o"};
   out_port<BlockBits> red_o{"red_o"};
   out_port<BlockBits> green_o{"green_o"};

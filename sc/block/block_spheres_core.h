@@ -18,7 +18,7 @@ struct block_sphere {
   vec3 pose{};  // from the centre to the eye
   int rv = 0;   // radius2 - pose^2
   vec3 centre{};
-  int radius2 = 0;
+  int radius = 0, radius2 = 0;
   vec3 colour{};  // 12.20, of one
 };
 
@@ -43,6 +43,8 @@ struct block_spheres_core {
     } else if (in.field >= BlockRed && in.field <= BlockBlue) {
       row.colour[in.field - BlockRed] = in.value;
     } else if (in.field == BlockRadius) {
+      row.radius = in.value;
+    } else if (in.field == BlockRadius2) {
       row.radius2 = in.value;
     } else if (in.field == BlockRv) {
       row.rv = in.value;
@@ -61,6 +63,7 @@ struct block_spheres_core {
       visit(element("centre_x_q", n), BlockBits, [r] { return r->centre[0]; });
       visit(element("centre_y_q", n), BlockBits, [r] { return r->centre[1]; });
       visit(element("centre_z_q", n), BlockBits, [r] { return r->centre[2]; });
+      visit(element("radius_q", n), BlockBits, [r] { return r->radius; });
       visit(element("radius2_q", n), BlockBits, [r] { return r->radius2; });
       visit(element("red_q", n), BlockBits, [r] { return r->colour[0]; });
       visit(element("green_q", n), BlockBits, [r] { return r->colour[1]; });

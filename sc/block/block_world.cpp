@@ -10,9 +10,10 @@ namespace racebeam {
 
 namespace {
 
-int step(float side, int pixels) {
-  return static_cast<int>(std::lround(double{side} / pixels * (1 << BlockFraction)));
-}
+constexpr double ConeSteps = 8.5;
+
+int fraction(double value) { return static_cast<int>(std::lround(value * (1 << BlockFraction))); }
+int step(float side, int pixels) { return fraction(double{side} / pixels); }
 
 }  // namespace
 
@@ -29,6 +30,10 @@ block_world converted(const block_tables& tables, const block_knobs& k) {
                                  world.eye);
   world.ax = step(tables.screen[0], k.columns());
   world.ay = step(tables.screen[1], k.rows());
+  const double angle = std::atan2(ConeSteps * std::hypot(world.ax, world.ay),
+                                  std::abs(static_cast<double>(world.eye[2])));
+  world.cone_sine = fraction(std::sin(angle));
+  world.cone_cosine2 = fraction(std::cos(angle) * std::cos(angle));
   for (const block_ball& ball : tables.balls) {
     block_row row;
     row.centre = vector(ball.centre);

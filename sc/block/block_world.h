@@ -41,6 +41,9 @@ struct block_world {
   vec3 eye{}, light{};
   vec3 start{};        ///< from the eye to the first pixel
   int ax = 0, ay = 0;  ///< from pixel to pixel, from row to row
+  /// Of the angle from a block's middle to half a pixel beyond its corner, in the middle of the
+  /// picture: its sine, and the square of its cosine.
+  int cone_sine = 0, cone_cosine2 = 0;
   std::vector<block_row> rows;
 };
 

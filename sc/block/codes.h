@@ -12,13 +12,14 @@ constexpr int BlockFraction = 20;
 constexpr int BlockRootBits = 23;        // what block_root takes the root of, and the root
 constexpr int BlockDistanceBits = 33;    // the discriminant
 constexpr int BlockFar = 2047;           // whole units: nothing is hit there or beyond
+constexpr int BlockConeSlack = 16384;    // 12.20: 1/64, of a sphere in its cone test
 constexpr int BlockSmallLength2 = 4096;  // 12.20; squares of lengths below are small vectors'
 
 // Spheres.
 constexpr int BlockEntries = 64;
 constexpr int BlockIndexBits = 6;
 constexpr int BlockCountBits = 7;
-constexpr int BlockFieldBits = 4;
+constexpr int BlockFieldBits = 5;
 
 // Picture, cores and store.
 constexpr int BlockSide = 16;  // pixels of a block
@@ -55,8 +56,8 @@ enum block_event {
   BlockRootOver = 6      // a root of 8.0 and above
 };
 
-/// What a number of the world is; block_spheres has the square of BlockRadius, and BlockRv, which
-/// block_convert makes.
+/// What a number of the world is; block_convert makes BlockRv and BlockRadius2, the square of
+/// BlockRadius.
 enum block_field {
   BlockCentreX = 0,
   BlockCentreY = 1,
@@ -73,7 +74,8 @@ enum block_field {
   BlockLightY = 12,
   BlockLightZ = 13,
   BlockScreenWidth = 14,
-  BlockScreenHeight = 15
+  BlockScreenHeight = 15,
+  BlockRadius2 = 16
 };
 
 }  // namespace racebeam

@@ -12,6 +12,7 @@
 namespace racebeam {
 
 enum block_cull_rule { BlockCullCorners = 0, BlockCullCone = 1, BlockCullOff = 2 };
+enum block_root_rule { BlockRootTrick = 0, BlockRootHeron = 1, BlockRootExact = 2 };
 enum block_size { BlockSize640 = 0, BlockSize512 = 1, BlockSize1920 = 2 };
 
 struct block_knobs {
@@ -20,6 +21,7 @@ struct block_knobs {
   int newton_steps = 2;
   int specular_squarings = 4;
   int max_passes = 3;
+  int root = BlockRootTrick;
   int cull = BlockCullCorners;
   int background = 0;
   int fraction_bits = 20;
@@ -43,6 +45,8 @@ struct block_knobs {
   /// The clocks of a unit vector.
   int normalise_clocks() const { return 3 + 3 * newton_steps; }
   int shade_clocks() const { return 9 + specular_squarings + 2 * normalise_clocks(); }
+  /// Of a root, in BlockNear.
+  int root_clocks() const { return root == BlockRootTrick ? 1 : root == BlockRootHeron ? 9 : 12; }
   /// Those of the frame store.
   store_knobs store() const {
     store_knobs s;

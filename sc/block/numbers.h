@@ -12,6 +12,7 @@
 
 #include "sc/base/fixed_point.h"
 #include "sc/block/codes.h"
+#include "sc/block/knobs.h"
 
 namespace racebeam {
 
@@ -57,6 +58,19 @@ inline float float_of_bits(std::uint32_t bits) {
 inline int isqrt(int d) {
   const std::uint32_t half = float_bits(static_cast<float>(d) * 0x1p-20f) >> 1;
   return static_cast<int>(std::nearbyintf(float_of_bits(half + 0x1fc00000) * 0x1p20f));
+}
+/// The same with one step of Heron's; 0 of 0.
+inline int heron_root(int d) {
+  const int r = isqrt(d);
+  return r ? static_cast<int>((r + (std::int64_t{d} << BlockFraction) / r) >> 1) : 0;
+}
+/// The root, cut at its last bit.
+inline int exact_root(int d) {
+  return static_cast<int>(std::sqrt(static_cast<double>(std::int64_t{d} << BlockFraction)));
+}
+/// As the knob `root` says.
+inline int root_of(int d, int rule) {
+  return rule == BlockRootTrick ? isqrt(d) : rule == BlockRootHeron ? heron_root(d) : exact_root(d);
 }
 
 /// The first estimate of 1 / sqrt(aa): of bits 29..6 alone; 3.5 % off at most. To units of 2^-14,

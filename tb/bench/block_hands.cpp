@@ -31,6 +31,8 @@ void BlockHands::begin(int picture) {
   at.spheres.write(static_cast<unsigned>(tables.balls.size()));
   at.ax.write(static_cast<std::uint32_t>(world.ax));
   at.ay.write(static_cast<std::uint32_t>(world.ay));
+  at.cone_sine.write(static_cast<std::uint32_t>(world.cone_sine));
+  at.cone_cosine2.write(static_cast<std::uint32_t>(world.cone_cosine2));
   at.start.write(false);
   put_number();
 }

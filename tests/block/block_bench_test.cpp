@@ -72,6 +72,20 @@ TEST(BlockBench, BothLevelsGiveTheSameWithOtherKnobs) {
   expect_levels_alike(small_program(), {2, 3}, k, {true});
 }
 
+block_knobs with_cone(int root) {
+  block_knobs k;
+  k.cores = 2 + root;
+  k.root = root;
+  k.cull = BlockCullCone;
+  return k;
+}
+TEST(BlockBench, BothLevelsGiveTheSameWithConesAndHeronsRoots) {
+  expect_levels_alike(small_program(), {1}, with_cone(BlockRootHeron), {true});
+}
+TEST(BlockBench, BothLevelsGiveTheSameWithConesAndAllDigits) {
+  expect_levels_alike(small_program(), {1}, with_cone(BlockRootExact), {true});
+}
+
 TEST(BlockBench, TheBeamShowsACornerOfALargePicture) {
   block_knobs k;
   k.cores = 16;

@@ -60,7 +60,8 @@ struct Dut {
         write(n, BlockCentreX + k, f2i(s.centre[k]), f2i(QuadEye[k]));
         write(n, BlockRed + k, f2i(s.colour[k]));
       }
-      write(n, BlockRadius, quad_radius2(s));
+      write(n, BlockRadius, f2i(s.radius));
+      write(n, BlockRadius2, quad_radius2(s));
       write(n, BlockRv, quad_rv(s));
     }
     bench["write_i"].drive(0);
@@ -260,16 +261,10 @@ TYPED_TEST(BlockCoreTest, SpheresBeyondTheNumberAreNotSeen) {
   d.draw(320, 240);
   const std::vector<Word> before = d.words;
   d.write(4, BlockRv, 0x7fffffff);
-  d.write(4, BlockRadius, 0x7fffffff);
+  d.write(4, BlockRadius2, 0x7fffffff);
   d.bench["write_i"].drive(0);
   EXPECT_EQ(d.draw(320, 240), 12'423);
   EXPECT_EQ(d.words, before);
-}
-
-TEST(BlockCore, RefusesTheCullItHasNot) {
-  block_knobs k;
-  k.cull = BlockCullCone;
-  EXPECT_THROW(block_core("core", k), std::invalid_argument);
 }
 
 /// A sphere that only one corner ray meets: its centre lies on it.

@@ -59,13 +59,15 @@ block_knobs with(const Set& set) {
 }
 
 std::vector<Pair> pairs() {
-  std::vector<Pair> all = {{"block_root", "default", without_knobs<block_root>, {}},
-                           {"block_lane", "default", without_knobs<block_lane>, {}},
+  std::vector<Pair> all = {{"block_lane", "default", without_knobs<block_lane>, {}},
                            {"block_pack", "default", without_knobs<block_pack>, {}}};
   const auto add = [&all](const char* unit, Module (*make)(const block_knobs&), const char* name,
                           const block_knobs& k) {
     all.push_back({unit, name, make, k});
   };
+  for (const int root : {BlockRootTrick, BlockRootHeron, BlockRootExact})
+    add("block_root", with_knobs<block_root>, Counts[root],
+        with([&](block_knobs& k) { k.root = root; }));
   for (const int steps : {0, 2, 3})
     add("block_normalise", with_knobs<block_normalise>, Counts[steps],
         with([&](block_knobs& k) { k.newton_steps = steps; }));
@@ -93,6 +95,15 @@ std::vector<Pair> pairs() {
         k.cull = BlockCullOff;
         k.background = 0x123456;
         k.size = BlockSize1920;
+      }));
+  add("block_core", with_knobs<block_core>, "cone_heron", with([](block_knobs& k) {
+        k.cull = BlockCullCone;
+        k.root = BlockRootHeron;
+      }));
+  add("block_core", with_knobs<block_core>, "cone_exact", with([](block_knobs& k) {
+        k.cull = BlockCullCone;
+        k.root = BlockRootExact;
+        k.lanes = 1;
       }));
   return all;
 }

@@ -28,7 +28,8 @@ void write(Bench& b, unsigned index, unsigned field, unsigned value, unsigned ey
 /// Every field of an entry, of `seed`.
 template <class Bench>
 void fill(Bench& b, unsigned index, unsigned seed) {
-  for (unsigned field = 0; field < 16; ++field) write(b, index, field, seed + field, 1000);
+  for (unsigned field = 0; field <= BlockRadius2; ++field)
+    write(b, index, field, seed + field, 1000);
 }
 template <class Bench>
 void expect(Bench& b, unsigned group, unsigned seed) {
@@ -43,7 +44,8 @@ void expect(Bench& b, unsigned group, unsigned seed) {
   ASSERT_EQ(b["red_o"].value(), seed + BlockRed);
   ASSERT_EQ(b["green_o"].value(), seed + BlockGreen);
   ASSERT_EQ(b["blue_o"].value(), seed + BlockBlue);
-  ASSERT_EQ(b["radius2_o"].value(), seed + BlockRadius);
+  ASSERT_EQ(b["radius_o"].value(), seed + BlockRadius);
+  ASSERT_EQ(b["radius2_o"].value(), seed + BlockRadius2);
   ASSERT_EQ(b["rv_o"].value(), seed + BlockRv);
 }
 

@@ -30,6 +30,7 @@ struct block_top {
     out_port<1> ready_o{"ready_o"};
     in_port<BlockCountBits> spheres_i{"spheres_i"};
     in_port<BlockBits> ax_i{"ax_i"}, ay_i{"ay_i"};
+    in_port<BlockBits> cone_sine_i{"cone_sine_i"}, cone_cosine2_i{"cone_cosine2_i"};
     in_port<1> start_i{"start_i"};
     out_port<1> done_o{"done_o"};
     out_port<1> mem_write_o{"mem_write_o"};
