@@ -58,6 +58,7 @@ class block_bus : public block_bus_pins, public probed {
 
   const block_knobs knobs_;
   block_bus_core core_;
+  bool asleep_ = true;
   sc_core::sc_event clocked_{"clocked"};
 };
 

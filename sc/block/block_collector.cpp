@@ -32,7 +32,10 @@ void block_collector::count_state(core& c, int state) {
       c.second = !c.met;
       now_.groups += c.met;
       break;
-    case BlockNear: ++now_.roots; break;
+    case BlockNear:
+      c.near = entered ? 1 : c.near + 1;
+      now_.roots += c.near % root_clocks_ == 0;
+      break;
     case BlockShade:
       now_.shades[static_cast<std::size_t>(std::min(c.pass, BlockMaxPasses - 1))] += entered;
       break;

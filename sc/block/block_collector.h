@@ -28,7 +28,9 @@ struct block_view {
 class block_collector {
  public:
   explicit block_collector(const block_knobs& k)
-      : cores_of_chip_(static_cast<std::size_t>(k.cores)), store_knobs_(k.store()) {}
+      : cores_of_chip_(static_cast<std::size_t>(k.cores)),
+        root_clocks_(k.root_clocks()),
+        store_knobs_(k.store()) {}
   void observe(const block_view& v);
   /// While no picture is drawn: what was counted since the last one is forgotten.
   void begin() { now_ = {}; }
@@ -41,6 +43,7 @@ class block_collector {
   struct core {
     int state = BlockIdle;  // of the clock before
     int pass = 0;           // passes that were shaded
+    int near = 0;           // clocks in NEAR
     bool second = false;    // GROUP of a later pass: its second clock is next
     bool met = false;       // in the clock before a group was met, whole
   };
@@ -49,6 +52,7 @@ class block_collector {
   void count_event(int event);
 
   const std::size_t cores_of_chip_;
+  const int root_clocks_;
   const store_knobs store_knobs_;
   std::array<core, BlockCores> cores_{};
   block_counters now_, last_;

@@ -74,6 +74,7 @@ class block_convert : public block_convert_pins, public probed {
 
   const block_knobs knobs_;
   block_convert_core core_;
+  bool asleep_ = true;
   sc_core::sc_event clocked_{"clocked"};
 };
 

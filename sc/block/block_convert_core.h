@@ -48,6 +48,8 @@ struct block_convert_core {
     return {block_difference(wrap32(-std::int64_t{width_q}) >> 1, eye_q[0]),
             block_difference(height_q >> 1, eye_q[1]), block_difference(0, eye_q[2])};
   }
+  /// A clock with these inputs changes nothing.
+  bool idle(const inputs& in) const { return in.rst_n && !in.valid && step_q == 0; }
   void clock(const inputs& in, const block_knobs& k) {
     if (step_q == 1) radius2_q = imul(radius_q, radius_q);
     else if (step_q == 2) norm2_q = inorm2(pose_q);

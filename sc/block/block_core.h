@@ -100,11 +100,13 @@ class block_core : public block_core_pins, public probed {
   std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
+  block_core_core::inputs inputs() const;
   void seq();
   void drive();
 
   const block_knobs knobs_;
   block_core_core core_;
+  bool asleep_ = true;
 };
 
 }  // namespace racebeam

@@ -39,6 +39,11 @@ class block_core_core {
   bool word_valid() const { return state_q == BlockClear || state_q == BlockWords; }
   int word_address(const block_knobs& k) const;
   std::uint64_t word(const block_knobs& k) const;
+  /// From the second clock with these inputs on nothing changes.
+  bool idle(const inputs& in) const {
+    if (!in.rst_n || in.write.write) return false;
+    return state_q == BlockIdle ? !in.job_valid : word_valid() && !in.word_ready;
+  }
   void clock(const inputs& in, const block_knobs& k);
 
   /// Calls visit(name, bits, read) for each register; the RTL has vectors and lanes in one.

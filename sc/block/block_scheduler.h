@@ -64,6 +64,7 @@ class block_scheduler : public block_scheduler_pins, public probed {
 
   const block_knobs knobs_;
   block_scheduler_core core_;
+  bool asleep_ = true;
   sc_core::sc_event clocked_{"clocked"};
 };
 

@@ -29,6 +29,10 @@ struct block_scheduler_core {
   bool done(std::uint64_t busy, const block_knobs& k) const {
     return !deals_q && raw_bits(busy, k.cores) == 0;
   }
+  /// From the second clock with these inputs on nothing changes.
+  bool idle(const inputs& in, const block_knobs& k) const {
+    return in.rst_n && (deals_q ? !valid(in.ready, k) : !in.start);
+  }
   void clock(const inputs& in, const block_knobs& k) {
     if (!in.rst_n) {
       *this = {};

@@ -100,8 +100,7 @@ TEST(BlockBench, QuadIsTheSameAtBothLevels) {
 TEST(BlockBench, APictureLeftInTheMiddleIsNotInTheNext) {
   const BlockProgram program = small_program();
   block_knobs k;
-  k.cores = 1;
-  k.cull = BlockCullOff;
+  k.cull = BlockCullOff;  // 1.1 frames
   const WiredBench::Setting setting{block_engine(), k, &program, 100};
   BlockSignalBench left(setting, {});
   left.advance(Raster(block_knobs::clocks_per_pixel).frame_clocks());
