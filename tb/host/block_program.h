@@ -23,7 +23,7 @@ struct BlockBody {
 /// Its own balls are those of picture 0.
 struct BlockProgram : block_tables {
   std::vector<BlockBody> bodies;
-  MotionBox box{{-8, -8, -1}, {8, 8, 16}};
+  MotionBox box{{-6, -5, 0}, {6, 5, 11}};
 
   /// The balls follow from the bodies.
   void set_bodies(std::vector<BlockBody> all);

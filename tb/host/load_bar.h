@@ -28,6 +28,10 @@ class LoadBar {
   void add(const block_counters& counters);
   /// 0..255: how bright a core's square is.
   int brightness(int core) const;
+  /// Whether a pixel is under it, if it is drawn.
+  static bool covers(const block_knobs& k, int x, int y) {
+    return k.load_bar && x < Side * k.cores && y >= k.rows() - Side;
+  }
   /// Over a picture of 8 bits a channel.
   void draw(PackedPicture& picture) const;
 

@@ -9,6 +9,7 @@
 
 #include "sc/block/codes.h"
 #include "sc/block/engine.h"
+#include "sc/block/numbers.h"
 #include "tb/base/counted.h"
 #include "tb/scene/tables_reader.h"
 
@@ -20,11 +21,17 @@ constexpr int MaxPictures = 16383;
 // What the numbers of the renderer hold.
 constexpr double MaxCoordinate = 256;   // 12.20 after block_convert
 constexpr double MaxSquare = 1024;      // block_normalise: of a vector it makes a unit of
+constexpr double MaxWay = 2048;         // squares on the way to a discriminant are signed 12.20
 constexpr double MaxDiscriminant = 8;   // block_root: radius^2 is the largest
 constexpr double MinRadius = 1.0 / 64;  // below it, nothing is left of the discriminant
 constexpr double MinScale = 1.0 / 64;
 
 double square(const Vector3& a) { return dot(a, a); }
+
+bool moves(const std::vector<BlockBody>& bodies) {
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const BlockBody& body) { return length(body.velocity) > 0; });
+}
 
 /// Reads all; the tables of one kind at a time.
 class Reader : TablesReader {
@@ -124,54 +131,95 @@ class Reader : TablesReader {
   void check() {
     const Vector3 corner{screen_[0] / 2 + std::abs(eye_[0]), screen_[1] / 2 + std::abs(eye_[1]),
                          eye_[2]};
-    if (program_.eye[2] == 0)
+    if (f2i(program_.eye[2]) == 0)
       faults_.add(eye_at_, "the eye is on the screen", "move it away: z is smaller in front of it");
-    near(eye_at_, "the eye", eye_);
-    near(light_at_, "the light", light_);
+    fits(eye_at_, "the eye", {eye_, eye_});
     if (square(corner) >= MaxSquare)
       faults_.add(screen_at_.line ? screen_at_ : eye_at_,
                   fmt::format("from the eye to a corner of the screen it is {:.4g}, scaled",
-                              std::sqrt(square(corner))),
+                              length(corner)),
                   "below 32; make scale, the screen or the distance smaller");
-    for (std::size_t n = 0; n < bodies_.size(); ++n) check(bodies_[n], n);
+    if (!fits(light_at_, "the light", {light_, light_})) return;
+    for (std::size_t n = 0; n < bodies_.size(); ++n) check(n);
+    if (!faults_.none()) return;
+    for (std::size_t n = 0; n < bodies_.size(); ++n)
+      for (std::size_t m = 0; m < n; ++m) check_pair(m, n);
   }
-  void near(const Place& at, const char* what, const Vector3& p) {
-    for (const double each : p)
-      if (std::abs(each) >= MaxCoordinate)
-        return faults_.add(at, fmt::format("{} has a coordinate of {:g}, scaled", what, each),
-                           "-256..256 after scaling: the numbers have 12 bits before the point");
-  }
-  void check(const BlockBody& body, std::size_t n) {
-    near(sphere_at_[n], "the sphere", body.centre);
-    const double square_of_radius = body.radius * body.radius;
-    if (square_of_radius >= MaxDiscriminant || body.radius < MinRadius)
-      faults_.add(radius_at_[n], fmt::format("'radius' is {:g}, scaled", body.radius),
-                  "1/64 and more and below 2.828: the root is of numbers below 8");
-    Vector3 from_eye = body.centre, from_light = body.centre;
+  /// Where the middle of a sphere may come: one that moves may push any other.
+  MotionBox reach(const BlockBody& body) const {
+    MotionBox r{body.centre, body.centre};
     for (std::size_t k = 0; k < 3; ++k) {
-      from_eye[k] -= eye_[k];
-      from_light[k] -= light_[k];
+      const double low = program_.box.low[k], high = program_.box.high[k];
+      const double inside = std::clamp(body.centre[k], low, high);
+      r.low[k] = std::min(r.low[k], moves(bodies_) ? low : inside);
+      r.high[k] = std::max(r.high[k], moves(bodies_) ? high : inside);
     }
-    if (square(from_eye) < square_of_radius)
+    return r;
+  }
+  /// From any place of one to any of the other.
+  static double farthest(const MotionBox& a, const MotionBox& b) {
+    Vector3 way;
+    for (std::size_t k = 0; k < 3; ++k)
+      way[k] = std::max(std::abs(a.high[k] - b.low[k]), std::abs(b.high[k] - a.low[k]));
+    return length(way);
+  }
+  bool fits(const Place& at, const char* what, const MotionBox& reach) {
+    for (const Vector3& p : {reach.low, reach.high})
+      for (const double each : p) {
+        if (std::abs(each) < MaxCoordinate) continue;
+        faults_.add(at, fmt::format("{} has a coordinate of {:g}, scaled", what, each),
+                    "below 256 after scaling; make scale or the coordinate smaller");
+        return false;
+      }
+    return true;
+  }
+  void check(std::size_t n) {
+    const BlockBody& body = bodies_[n];
+    const double radius = body.radius;
+    const MotionBox all = reach(body);
+    if (!fits(sphere_at_[n], "the sphere", all)) return;
+    if (radius * radius >= MaxDiscriminant || radius < MinRadius)
+      faults_.add(radius_at_[n], fmt::format("'radius' is {:g}, scaled", radius),
+                  "1/64 and more and below 2.828: the root is of numbers below 8");
+    Vector3 from_eye, nearest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      from_eye[k] = body.centre[k] - eye_[k];
+      nearest[k] = std::clamp(eye_[k], all.low[k], all.high[k]) - eye_[k];
+    }
+    if (length(from_eye) < radius)
       faults_.add(sphere_at_[n], "the eye is inside the sphere",
                   "move one of them: what is hit from inside is not seen");
-    if (length(body.velocity) > 0)  // it comes anywhere in the box
-      for (std::size_t k = 0; k < 3; ++k)
-        from_light[k] = std::max(std::abs(program_.box.low[k] - light_[k]),
-                                 std::abs(program_.box.high[k] - light_[k]));
-    const double farthest = length(from_light) + body.radius;
-    if (farthest * farthest >= MaxSquare)
+    else if (length(nearest) < radius)
+      faults_.warn(sphere_at_[n], "the sphere can come around the eye",
+                   "what is hit from inside is not seen; move the eye or a wall of the [box]");
+    const double to_eye = farthest(all, {eye_, eye_});
+    if (to_eye * to_eye >= MaxWay)
+      faults_.add(sphere_at_[n],
+                  fmt::format("from the eye to the sphere it is up to {:.4g}, scaled", to_eye),
+                  "below 45.25; make scale, the box or the distance smaller");
+    const double to_light = farthest(all, {light_, light_}) + radius;
+    if (to_light * to_light >= MaxSquare)
       faults_.add(light_at_.line ? light_at_ : sphere_at_[n],
                   fmt::format("from the light to the sphere in line {} it is up to {:.4g}, scaled",
-                              sphere_at_[n].line, farthest),
+                              sphere_at_[n].line, to_light),
                   "below 32; make scale, the box or the distance smaller");
+  }
+  /// A ray goes from one to the other.
+  void check_pair(std::size_t m, std::size_t n) {
+    const double way = farthest(reach(bodies_[m]), reach(bodies_[n])) +
+                       std::max(bodies_[m].radius, bodies_[n].radius);
+    if (way * way >= MaxWay)
+      faults_.add(sphere_at_[n],
+                  fmt::format("to the sphere in line {} it is up to {:.4g}, scaled",
+                              sphere_at_[m].line, way),
+                  "below 45.25; make scale, the box or the distance smaller");
   }
 
   BlockProgram& program_;
   double scale_ = 1, screen_z_ = 0;
   Vector3 eye_{0, 0, -7}, light_{-8, -9, -9};
   std::array<double, 2> screen_{8, 6};
-  MotionBox box_{{-8, -8, -1}, {8, 8, 16}};
+  MotionBox box_{{-6, -5, 0}, {6, 5, 11}};
   std::vector<BlockBody> bodies_;
   Place eye_at_{1, 1}, light_at_{}, screen_at_{};
   std::vector<Place> sphere_at_, radius_at_;
@@ -184,12 +232,10 @@ const racebeam::engine& BlockScene::engine() const { return block_engine(); }
 std::string BlockScene::counts() const { return counted(program_.bodies.size(), "sphere"); }
 
 std::vector<SceneFact> BlockScene::facts() const {
-  const bool moves = std::any_of(program_.bodies.begin(), program_.bodies.end(),
-                                 [](const BlockBody& body) { return length(body.velocity) > 0; });
   return {{"spheres", static_cast<int>(program_.bodies.size())},
           {"pictures", pictures_},
           {"screen", fmt::format("{:g} x {:g}", program_.screen[0], program_.screen[1])},
-          {"moves", moves}};
+          {"moves", moves(program_.bodies)}};
 }
 
 std::shared_ptr<const AnyScene> read_block_scene(const SceneText& file, Faults& faults) {
