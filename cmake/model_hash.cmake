@@ -66,6 +66,7 @@ set(MODEL_OF_block
     tb/bench/block_bench.*
     tb/bench/block_tlm_bench.*
     tb/bench/store_pins.*
+    tb/judge/block_judge.*
     tb/sweep/columns.*
     tb/sweep/picture_frame_judge.*)
 

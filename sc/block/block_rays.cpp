@@ -52,11 +52,13 @@ const block_job& block_rays::job(int x, int y) {
   job_.clocks = JobClocks;
   job_.words.clear();
   job_.begins.clear();
+  job_.hits.clear();
   job_.cleared = knobs_.cull == BlockCullCorners ? !corners_keep(first)
                  : knobs_.cull == BlockCullCone  ? !cone_keeps(first)
                                                  : false;
   if (job_.cleared) {
     job_.begins.assign(static_cast<std::size_t>(BlockSide * rows), 0);
+    job_.hits.assign(job_.begins.size(), -1);
     clear(x, y, rows);
   } else {
     vec3 at = first;
@@ -141,6 +143,7 @@ void block_rays::pixel(const vec3& at) {
     r.nearest = -1;
     const int begin = job_.clocks, groups = pass == 0 ? groups_ : 2 * groups_;
     meet(r, pass == 0);
+    if (pass == 0) job_.hits.push_back(r.nearest);
     if (explained_)
       explained_->passes.push_back({groups, job_.clocks - begin - groups, r.nearest, r.best, {}});
     ++job_.clocks;  // DECIDE

@@ -31,6 +31,7 @@ struct block_job {
   bool cleared = false;
   std::vector<block_word> words;
   std::vector<int> begins;  ///< of its pixels, row by row, in clocks like those of words
+  std::vector<int> hits;    ///< of its pixels: the sphere that is met first; -1: none
 };
 
 /// A ray of a pixel, and what it met.
