@@ -62,34 +62,52 @@ class Judge {
  public:
   Judge(const std::vector<Candidate>& candidates, const std::vector<Goal>& goals, double confidence)
       : candidates_(candidates), goals_(goals), confidence_(confidence) {
+    const double of_each = of_one_of(candidates.size());
     for (const Candidate& candidate : candidates) {
       own_.emplace_back();
-      for (std::size_t goal = 0; goal < goals.size(); ++goal)
-        own_.back().push_back(range_of(candidate.readings.at(goal), confidence));
+      for (std::size_t goal = 0; goal < goals.size() && !candidate.stopped; ++goal)
+        own_.back().push_back(range_of(candidate.readings.at(goal), of_each));
     }
     set_order();
   }
 
   Verdict verdict(std::size_t point) const {
+    if (candidates_[point].stopped) return {};
     bool on_front = true;
     for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
       const Range beyond = beyond_limits(own_[point][goal], goals_[goal]);
       if (beyond.low > 0) return {Verdict::Unwanted, int(goal)};
       on_front = on_front && beyond.mean <= 0;
     }
-    for (const std::size_t other : order_) {
-      if (other == point) continue;
-      const Dominance dominance = dominates(other, point);
-      if (dominance.surely) return {Verdict::Dominated, int(other)};
-      on_front = on_front && !dominance.by_mean;
+    const std::vector<Rival> rivals = rivals_of(point);
+    const double of_each = of_one_of(rivals.size());
+    for (const Rival& rival : rivals) {
+      if (candidates_[rival.number].stopped) continue;
+      const Dominance dominance = compared(rival, point, of_each);
+      if (dominance.surely()) return {Verdict::Dominated, int(rival.number)};
+      on_front = on_front && !dominance.by_mean();
     }
     return {on_front ? Verdict::Front : Verdict::Undecided, -1};
   }
 
  private:
+  /// As far as goals have been compared.
   struct Dominance {
-    bool surely, by_mean;
+    bool no_worse = true, surely_no_worse = true, better = false, surely_better = false;
+
+    bool possible() const { return no_worse || surely_no_worse; }
+    bool surely() const { return surely_no_worse && surely_better; }
+    bool by_mean() const { return no_worse && better; }
   };
+  struct Rival {
+    std::size_t number;
+    Dominance dominance;  ///< in exact goals
+  };
+
+  /// Of an interval with one end that matters, so that `count` of them hold together.
+  double of_one_of(std::size_t count) const {
+    return for_best_of(int(count), 1 - 2 * (1 - confidence_));
+  }
 
   /// Exact goals first, as they need no intervals; first of all the points that are the best in
   /// the last goal, as they dominate many.
@@ -99,11 +117,14 @@ class Judge {
     order_.resize(candidates_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     if (candidates_.empty() || goals_.empty()) return;
-    std::stable_partition(goal_order_.begin(), goal_order_.end(), [&](std::size_t goal) {
-      return candidates_[0].readings[goal].kind == Reading::Exact;
-    });
+    const auto sampled = std::stable_partition(
+        goal_order_.begin(), goal_order_.end(),
+        [&](std::size_t goal) { return candidates_[0].readings[goal].kind == Reading::Exact; });
+    exact_goals_ = std::size_t(sampled - goal_order_.begin());
     const std::size_t goal = goal_order_.back();
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+    const auto going_on = std::stable_partition(
+        order_.begin(), order_.end(), [&](std::size_t one) { return !candidates_[one].stopped; });
+    std::stable_sort(order_.begin(), going_on, [&](std::size_t a, std::size_t b) {
       return less_is_better(goal, own_[a][goal]).mean < less_is_better(goal, own_[b][goal]).mean;
     });
   }
@@ -112,28 +133,44 @@ class Judge {
     return goals_[goal].kind == GoalKind::Max ? range.negated() : range;
   }
 
-  Dominance dominates(std::size_t a, std::size_t b) const {
-    bool no_worse = true, surely_no_worse = true, better = false, surely_better = false;
-    for (const std::size_t n : goal_order_) {
-      const Goal& goal = goals_[n];
-      const Range from_b =
-          change(candidates_[a].readings[n], candidates_[b].readings[n], confidence_);
-      const Range beyond = beyond_limits(own_[a][n], goal);
-      no_worse = no_worse && beyond.mean <= 0;
-      // Surely within the limits, or at least surely no further beyond them than b.
-      surely_no_worse =
-          surely_no_worse && (beyond.high <= 0 || (!goal.least && from_b.surely_not_positive()) ||
-                              (!goal.most && from_b.negated().surely_not_positive()));
-      if (goal.kind != GoalKind::Limit) {
-        const Range range = less_is_better(n, from_b);
-        no_worse = no_worse && range.mean <= 0;
-        surely_no_worse = surely_no_worse && range.surely_not_positive();
-        better = better || range.mean < 0;
-        surely_better = surely_better || range.surely_negative();
-      }
-      if (!no_worse && !surely_no_worse) return {false, false};
+  std::vector<Rival> rivals_of(std::size_t point) const {
+    std::vector<Rival> rivals;
+    for (const std::size_t other : order_) {
+      if (other == point) continue;
+      Dominance dominance;
+      for (std::size_t n = 0; n < exact_goals_ && dominance.possible(); ++n)
+        compare(other, point, goal_order_[n], confidence_, dominance);
+      if (dominance.possible()) rivals.push_back({other, dominance});
     }
-    return {surely_no_worse && surely_better, no_worse && better};
+    return rivals;
+  }
+
+  Dominance compared(const Rival& rival, std::size_t point, double confidence) const {
+    Dominance dominance = rival.dominance;
+    for (std::size_t n = exact_goals_; n < goal_order_.size() && dominance.possible(); ++n)
+      compare(rival.number, point, goal_order_[n], confidence, dominance);
+    return dominance;
+  }
+
+  void compare(std::size_t a, std::size_t b, std::size_t n, double confidence,
+               Dominance& dominance) const {
+    const Goal& goal = goals_[n];
+    const Reading& reading = candidates_[a].readings[n];
+    const Range from_b = change(reading, candidates_[b].readings[n], confidence);
+    const Range own = reading.kind == Reading::Exact ? range_of(reading.exact) : own_[a][n];
+    const Range beyond = beyond_limits(own, goal);
+    dominance.no_worse = dominance.no_worse && beyond.mean <= 0;
+    // Surely within the limits, or at least surely no further beyond them than b.
+    dominance.surely_no_worse =
+        dominance.surely_no_worse &&
+        (beyond.high <= 0 || (!goal.least && from_b.surely_not_positive()) ||
+         (!goal.most && from_b.negated().surely_not_positive()));
+    if (goal.kind == GoalKind::Limit) return;
+    const Range range = less_is_better(n, from_b);
+    dominance.no_worse = dominance.no_worse && range.mean <= 0;
+    dominance.surely_no_worse = dominance.surely_no_worse && range.surely_not_positive();
+    dominance.better = dominance.better || range.mean < 0;
+    dominance.surely_better = dominance.surely_better || range.surely_negative();
   }
 
   const std::vector<Candidate>& candidates_;
@@ -141,6 +178,7 @@ class Judge {
   const double confidence_;
   std::vector<std::vector<Range>> own_;  // by candidate and goal
   std::vector<std::size_t> goal_order_, order_;
+  std::size_t exact_goals_ = 0;  // the first of goal_order_
 };
 
 }  // namespace

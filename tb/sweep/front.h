@@ -1,9 +1,12 @@
 // Which points of a sweep are worth having: on the front of its goals, surely dominated, undecided.
 //
 // Points are compared in pairs on the frames that both have. A point surely dominates another if it
-// is no worse in every exact goal and surely better in every sampled one; surely: the interval of
-// the difference says so. Once all frames are taken, figures of frames are exact as well. It
-// dominates the other's mean if it is no worse in any goal and better in one.
+// is no worse in every exact goal and surely better in every sampled one. Surely: the end of the
+// interval of the difference says so, and intervals are so wide that for all its rivals together
+// the chance of a point to be called dominated though it is not is small. Its rivals are the points
+// that are no worse in exact goals; no other can dominate it. Once all frames are taken, figures of
+// frames are exact as well. A point dominates the other's mean if it is no worse in any goal and
+// better in one.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -30,6 +33,7 @@ struct Candidate {
   std::string name;
   std::vector<Reading> readings;  ///< by goal; all points have the same kinds and the same scenes
   bool base = false;              ///< what all are compared with: racing never stops it
+  bool stopped = false;           ///< by racing: a rival of others, but neither is compared
 };
 
 struct Verdict {
@@ -43,8 +47,8 @@ struct Verdict {
   int by = -1;
 };
 
-/// By candidate; each has at least one frame of every scene. `confidence`: of each interval that is
-/// looked at; for_best_of(k) of interval.h holds for all pairs of a point with k others.
+/// By candidate; each has at least one frame of every scene, unless it is stopped: it stays
+/// Undecided. `confidence`: that a point is not called dominated, or beyond a limit, by chance.
 std::vector<Verdict> judge(const std::vector<Candidate>& candidates, const std::vector<Goal>& goals,
                            double confidence);
 

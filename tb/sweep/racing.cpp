@@ -8,7 +8,9 @@ namespace racebeam {
 
 std::vector<int> rungs(int sample) {
   std::vector<int> frames;
-  for (int rung = FirstRung; rung < sample; rung *= 2) frames.push_back(rung);
+  for (int rung = FirstRung; rung < sample; rung *= 2)
+    for (const int one : {rung, rung + rung / 2})
+      if (4 * one <= 3 * sample) frames.push_back(one);
   frames.push_back(sample);
   return frames;
 }

@@ -85,30 +85,36 @@ std::vector<PointReading> SweepState::read(int point,
   return all;
 }
 
-std::vector<Candidate> SweepState::candidates(const std::vector<int>& points, int frames) const {
+std::vector<int> SweepState::measured() const {
+  std::vector<int> points;
+  for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
+    if (measurer_.failure(point).empty()) points.push_back(point);
+  return points;
+}
+
+std::vector<Candidate> SweepState::candidates(const std::vector<int>& points, int frames,
+                                              bool racing) const {
   std::vector<Candidate> all;
   for (const int point : points) {
     Candidate candidate;
     candidate.name = plan_.points[static_cast<std::size_t>(point)].point.name;
     candidate.base = point == 0;
+    candidate.stopped = racing && !stopped(point).empty();
     for (const Goal& goal : plan_.file.goals) {
-      const PointReading read =
-          this->read(point, *figure_named(goal.figure, *plan_.file.built), frames);
-      candidate.readings.push_back(read.reading);
+      const PointFigure& figure = *figure_named(goal.figure, *plan_.file.built);
+      candidate.readings.push_back(candidate.stopped && figure.kind != PointFigure::Exact
+                                       ? Reading{kind_of(figure), 0, {}}
+                                       : read(point, figure, frames).reading);
     }
     all.push_back(std::move(candidate));
   }
   return all;
 }
 
-double SweepState::confidence() const {
-  return for_best_of(std::max(1, static_cast<int>(plan_.points.size()) - 1));
-}
-
 void SweepState::race(int frames) {
-  const std::vector<int> points = running();
+  const std::vector<int> points = measured();
   for (const Stop& stop :
-       racebeam::stops(candidates(points, frames), plan_.file.goals, frames, confidence())) {
+       racebeam::stops(candidates(points, frames, true), plan_.file.goals, frames, Confidence)) {
     Stopped& stopped = stops_[static_cast<std::size_t>(points[stop.point])];
     stopped = {frames, stop.by < 0 ? -1 : points[static_cast<std::size_t>(stop.by)], stop.why};
   }
@@ -137,10 +143,9 @@ bool SweepState::wide(int frames) const {
 
 SweepState::Verdicts SweepState::judge(int frames) const {
   Verdicts all;
-  for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
-    if (measurer_.failure(point).empty()) all.points.push_back(point);
-  all.candidates = candidates(all.points, frames);
-  all.verdicts = racebeam::judge(all.candidates, plan_.file.goals, confidence());
+  all.points = measured();
+  all.candidates = candidates(all.points, frames, false);
+  all.verdicts = racebeam::judge(all.candidates, plan_.file.goals, Confidence);
   return all;
 }
 

@@ -55,8 +55,6 @@ class SweepState {
     std::vector<Verdict> verdicts;
   };
   Verdicts judge(int frames) const;
-  /// Of each comparison: it holds for all pairs of points.
-  double confidence() const;
 
  private:
   struct Stopped {
@@ -67,7 +65,9 @@ class SweepState {
 
   std::vector<FrameRow> rows(int point, int scene, const std::vector<std::string>& columns,
                              bool causes, int frames) const;
-  std::vector<Candidate> candidates(const std::vector<int>& points, int frames) const;
+  std::vector<int> measured() const;
+  /// `racing`: figures of frames of those that go on only.
+  std::vector<Candidate> candidates(const std::vector<int>& points, int frames, bool racing) const;
 
   const SweepPlan& plan_;
   const Store& store_;

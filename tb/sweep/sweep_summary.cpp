@@ -169,9 +169,9 @@ class Summary {
       Estimate change;
       for (std::size_t i = 1; i < all_.points.size(); ++i) {
         if (all_.verdicts[i].standing != Verdict::Front) continue;
-        const Estimate one =
-            difference_of(all_.candidates[i].readings[n].frames,
-                          all_.candidates[0].readings[n].frames, state_.confidence());
+        const Estimate one = difference_of(all_.candidates[i].readings[n].frames,
+                                           all_.candidates[0].readings[n].frames,
+                                           for_best_of(static_cast<int>(plan_.points.size()) - 1));
         if (best != 0 && sign * one.value >= sign * change.value) continue;
         best = i;
         change = one;
