@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/judge/visible_error.h"
 
-#include <endian.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -14,43 +12,62 @@ namespace {
 
 constexpr int Columns = VisibleColumns, Rows = VisibleRows;
 
-// Pixels side by side, a byte each, the leftmost in the lowest: they are looked at together.
-using Word = std::uint64_t;
-constexpr int Size = sizeof(Word);
-constexpr Word EachOne = 0x0101010101010101, Bit = 0x80 * EachOne;
+// Pixels side by side that are looked at together; as an answer 0xff for yes.
+using Pixels = std::uint8_t __attribute__((vector_size(16)));
+constexpr int Size = sizeof(Pixels);
 static_assert(Columns % Size == 0);
 
-Word word_at(const std::uint8_t* pixels) {
-  Word word;
-  std::memcpy(&word, pixels, sizeof word);
-  return le64toh(word);
+Pixels pixels_at(const std::uint8_t* from) {
+  Pixels pixels;
+  std::memcpy(&pixels, from, sizeof pixels);
+  return pixels;
 }
 
 /// The pixels from x + side on, side -1..1; what is beyond the border repeats it.
-Word word(const std::uint8_t* picture, int x, int row, int side) {
-  const std::uint8_t* const pixels = picture + row * Columns + x;
-  if (side < 0 && x == 0) return word_at(pixels) << 8 | pixels[0];
-  if (side > 0 && x == Columns - Size)
-    return word_at(pixels) >> 8 | Word{pixels[Size - 1]} << (8 * (Size - 1));
-  return word_at(pixels + side);
+Pixels pixels(const std::uint8_t* picture, int x, int row, int side) {
+  const std::uint8_t* const from = picture + row * Columns + x;
+  const bool left = side < 0 && x == 0, right = side > 0 && x == Columns - Size;
+  if (!left && !right) return pixels_at(from + side);
+  std::uint8_t repeated[Size + 2];
+  std::memcpy(repeated + 1, from, Size);
+  repeated[0] = from[0];
+  repeated[Size + 1] = from[Size - 1];
+  return pixels_at(repeated + 1 + side);
 }
 
-/// Not 0 in the bytes that are equal: colours have six bits, so no byte carries into the next.
-Word equal(Word a, Word b) { return ~((a ^ b) + 0x7f * EachOne) & Bit; }
+Pixels equal(Pixels a, Pixels b) { return reinterpret_cast<Pixels>(a == b); }
+
+struct Halves {
+  std::uint64_t low, high;
+};
+Halves halves(Pixels pixels) {
+  Halves halves;
+  std::memcpy(&halves, &pixels, sizeof halves);
+  return halves;
+}
+
+bool any(Pixels answer) {
+  const Halves of = halves(answer);
+  return (of.low | of.high) != 0;
+}
+
+int number(Pixels answer) {
+  constexpr std::uint64_t EachOne = 0x0101010101010101;
+  const Halves of = halves(answer);
+  return int(((of.low & EachOne) + (of.high & EachOne)) * EachOne >> 56);
+}
 
 /// Which of the `asked` pixels from (x, y) on have a colour in `of` that is near them in `in`.
-Word near_ones(Word asked, const std::uint8_t* of, const std::uint8_t* in, int x, int y) {
-  const Word colours = word(of, x, y, 0);
-  Word found = 0;
-  for (const int row : {y, std::max(y - 1, 0), std::min(y + 1, Rows - 1)}) {
-    for (const int side : {0, -1, 1}) found |= equal(word(in, x, row, side), colours);
-    if (!(asked & ~found)) return asked;
-  }
+Pixels near_ones(Pixels asked, const std::uint8_t* of, const std::uint8_t* in, int x, int y) {
+  const Pixels colours = pixels(of, x, y, 0);
+  Pixels found{};
+  for (const int row : {std::max(y - 1, 0), y, std::min(y + 1, Rows - 1)})
+    for (const int side : {-1, 0, 1}) found |= equal(pixels(in, x, row, side), colours);
   for (const int way : {-1, 1}) {
     if (y + 2 * way < 0 || y + 2 * way >= Rows) continue;
     for (const int side : {-1, 0, 1})
-      found |= equal(word(in, x, y + 2 * way, side), colours) &
-               equal(word(in, x, y + way, side), word(of, x, y + way, side));
+      found |= equal(pixels(in, x, y + 2 * way, side), colours) &
+               equal(pixels(in, x, y + way, side), pixels(of, x, y + way, side));
   }
   return asked & found;
 }
@@ -58,21 +75,20 @@ Word near_ones(Word asked, const std::uint8_t* of, const std::uint8_t* in, int x
 }  // namespace
 
 int visible_difference(const GoldenPicture& a, const GoldenPicture& b) {
-  constexpr int Part = 8 * Size;  // most parts of a line are equal
-  static_assert(Columns % Part == 0);
-  int visible = 0;
+  // First where they differ, then how: no branch depends on pixels, as none could be foreseen.
+  int places[Rows * Columns / Size];
+  std::size_t count = 0;
   for (int at = 0; at < Rows * Columns; at += Size) {
-    if (at % Part == 0 && std::memcmp(&a[at], &b[at], Part) == 0) {
-      at += Part - Size;
-      continue;
-    }
-    const Word here_a = word_at(&a[at]), here_b = word_at(&b[at]);
-    if (here_a == here_b) continue;
-    const int x = at % Columns, y = at / Columns;
-    const Word differing = ~equal(here_a, here_b) & Bit;
-    const Word both =
+    places[count] = at;
+    count += any(pixels_at(&a[at]) ^ pixels_at(&b[at]));
+  }
+  int visible = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int at = places[i], x = at % Columns, y = at / Columns;
+    const Pixels differing = ~equal(pixels_at(&a[at]), pixels_at(&b[at]));
+    const Pixels moved =
         near_ones(near_ones(differing, a.data(), b.data(), x, y), b.data(), a.data(), x, y);
-    if (const Word seen = differing & ~both) visible += __builtin_popcountll(seen);
+    visible += number(differing & ~moved);
   }
   return visible;
 }

@@ -129,8 +129,9 @@ Causes causes() {
       shared += processor_seconds() - middle;
       fresh += middle - begin;
       const std::string kept = packed_colours(end);
+      GoldenPicture again = end;
       const double before = processor_seconds();
-      for (int i = 0; i < Again; ++i) unpacked_colours(kept, end.size());
+      for (int i = 0; i < Again; ++i) unpack_colours(kept, again);
       second += (processor_seconds() - before) / Again;
     }
     return fmt::format("{} {} {}", fresh / Count, shared / Count, second / Count);

@@ -31,38 +31,32 @@ class BeamFrameJudge final : public FrameJudge {
   }
 
   std::vector<std::int64_t> errors(const ChipBench::Frame& frame, const KeptPictures& kept,
-                                   Answer& answer) const override {
+                                   Answer& answer) override {
     const GoldenPicture& colours = frame.picture.colours;
-    const GoldenPicture reference =
-        reference_.made_with() == k_ && kind_ == PictureReference::Base
-            ? own(colours, kept.reference, answer.made.reference)
-            : made(reference_, frame.number, kept.reference, answer.made.reference);
-    if (chain_) put_causes(frame, reference, kept, answer);
-    return {golden_difference(colours, reference), visible_difference(colours, reference)};
+    if (reference_.made_with() == k_ && kind_ == PictureReference::Base) {
+      meant_ = colours;  // not rendered again
+      if (kept.reference.empty()) answer.made.reference = packed_colours(colours);
+    } else {
+      put(meant_, reference_, frame.number, kept.reference, answer.made.reference);
+    }
+    if (chain_) put_causes(frame, kept, answer);
+    return {golden_difference(colours, meant_), visible_difference(colours, meant_)};
   }
 
  private:
-  /// A picture that is not rendered.
-  static GoldenPicture own(const GoldenPicture& colours, const std::string& kept,
-                           std::string& packed_one) {
-    if (kept.empty()) packed_one = packed_colours(colours);
-    return colours;
-  }
-
   /// As it is kept, or else made and packed.
-  static GoldenPicture made(const ReferencePicture& reference, int frame, const std::string& kept,
-                            std::string& packed_one) {
-    if (!kept.empty()) return unpacked_colours(kept, PictureSize);
-    GoldenPicture picture = reference.picture(frame);
+  static void put(GoldenPicture& picture, const ReferencePicture& reference, int frame,
+                  const std::string& kept, std::string& packed_one) {
+    picture.resize(PictureSize);
+    if (!kept.empty()) return unpack_colours(kept, picture);
+    picture = reference.picture(frame);
     packed_one = packed_colours(picture);
-    return picture;
   }
 
-  void put_causes(const ChipBench::Frame& frame, const GoldenPicture& reference,
-                  const KeptPictures& kept, Answer& answer) const {
-    const GoldenPicture end = kind_ == PictureReference::Base
-                                  ? made(chain_->end(), frame.number, kept.end, answer.made.end)
-                                  : reference;
+  void put_causes(const ChipBench::Frame& frame, const KeptPictures& kept, Answer& answer) {
+    GoldenPicture& end = kind_ == PictureReference::Base ? end_ : meant_;
+    if (kind_ == PictureReference::Base)
+      put(end, chain_->end(), frame.number, kept.end, answer.made.end);
     ErrorChain::Links links(chain_->keys().size());
     for (std::size_t i = 0; i < kept.links.size(); ++i)
       if (!kept.links[i].empty()) links.at(i) = unpacked(kept.links[i], PictureSize / 8);
@@ -79,6 +73,7 @@ class BeamFrameJudge final : public FrameJudge {
   const PictureReference kind_;
   const ReferencePicture reference_;
   std::optional<ErrorChain> chain_;
+  GoldenPicture meant_, end_;  // of the last frame: their memory is used again
 };
 
 }  // namespace

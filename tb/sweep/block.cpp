@@ -30,39 +30,46 @@ knob_values knobs_of(const Json& json) {
           json.at("values").get<std::vector<int>>()};
 }
 
-Json binary(const std::string& bytes) {
-  return Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
-}
-
-std::string bytes_of(const Json& json) {
-  const auto& bytes = json.get_binary();
-  return {bytes.begin(), bytes.end()};
-}
-
-Json kept_json(const std::map<int, KeptPictures>& kept) {
+/// Frames with the sizes of their pictures; the pictures themselves are appended to `bytes`.
+Json kept_json(const std::map<int, KeptPictures>& kept, std::string& bytes) {
   Json json = Json::array();
   for (const auto& [frame, pictures] : kept) {
-    Json links = Json::array();
-    for (const std::string& link : pictures.links) links.push_back(binary(link));
-    json.push_back({frame, binary(pictures.reference), binary(pictures.end), links});
+    Json sizes = Json::array();
+    const auto put = [&](const std::string& picture) {
+      sizes.push_back(picture.size());
+      bytes += picture;
+    };
+    put(pictures.reference);
+    put(pictures.end);
+    for (const std::string& link : pictures.links) put(link);
+    json.push_back({frame, sizes});
   }
   return json;
 }
 
-std::map<int, KeptPictures> kept_of(const Json& json) {
+std::map<int, KeptPictures> kept_of(const Json& json, std::string_view bytes) {
   std::map<int, KeptPictures> kept;
   for (const Json& one : json) {
     KeptPictures& pictures = kept[one.at(0).get<int>()];
-    pictures.reference = bytes_of(one.at(1));
-    pictures.end = bytes_of(one.at(2));
-    for (const Json& link : one.at(3)) pictures.links.push_back(bytes_of(link));
+    const Json& sizes = one.at(1);
+    const auto take = [&](std::size_t n) {
+      const auto size = sizes.at(n).get<std::size_t>();
+      const std::string picture(bytes.substr(0, size));
+      bytes.remove_prefix(picture.size());
+      return picture;
+    };
+    pictures.reference = take(0);
+    pictures.end = take(1);
+    for (std::size_t n = 2; n < sizes.size(); ++n) pictures.links.push_back(take(n));
   }
   return kept;
 }
 
 }  // namespace
 
+// The size of the CBOR in the first line; after it the pictures.
 std::string request_text(const Block& block) {
+  std::string pictures;
   const std::vector<std::uint8_t> bytes = Json::to_cbor({
       {"block", block.number},
       {"point", block.point},
@@ -77,13 +84,17 @@ std::string request_text(const Block& block) {
       {"pictures", block.pictures},
       {"scan", block.scan},
       {"reference", static_cast<int>(block.reference)},
-      {"kept", kept_json(block.kept)},
+      {"kept", kept_json(block.kept, pictures)},
   });
-  return {bytes.begin(), bytes.end()};
+  std::string text = std::to_string(bytes.size()) + "\n";
+  text.append(bytes.begin(), bytes.end());
+  return text += pictures;
 }
 
 Block block_of(const std::string& request) {
-  const Json json = Json::from_cbor(request);
+  const std::size_t begin = request.find('\n') + 1, size = std::stoul(request);
+  const auto at = request.begin() + static_cast<std::ptrdiff_t>(begin);
+  const Json json = Json::from_cbor(at, at + static_cast<std::ptrdiff_t>(size));
   Block block;
   block.number = json.at("block");
   block.point = json.at("point");
@@ -98,7 +109,7 @@ Block block_of(const std::string& request) {
   block.pictures = json.at("pictures");
   block.scan = json.at("scan");
   block.reference = static_cast<SweepReference>(json.at("reference").get<int>());
-  block.kept = kept_of(json.at("kept"));
+  block.kept = kept_of(json.at("kept"), std::string_view(request).substr(begin + size));
   return block;
 }
 
@@ -108,8 +119,9 @@ std::string answer_line(const Answer& answer) {
                {"frame", frame.row.frame},
                {"guard", frame.row.guard},
                {"digest", frame.row.digest},
-               {"values", frame.row.values}};
-  if (!frame.histograms.empty()) json["histograms"] = frame.histograms;
+               {"values", text_of_numbers(frame.row.values)}};
+  for (const auto& [name, bins] : frame.histograms)
+    json["histograms"][name] = text_of_numbers(bins);
   if (!frame.causes.empty()) json["causes"] = frame.causes;
   if (!answer.made.reference.empty()) json["reference"] = hex_of(answer.made.reference);
   if (!answer.made.end.empty()) json["end"] = hex_of(answer.made.end);
@@ -138,12 +150,14 @@ AnswerLine read_answer(const std::string& line, int block) try {
   row.frame = json.at("frame");
   row.guard = json.at("guard");
   row.digest = json.at("digest");
-  row.values = json.at("values").get<std::vector<std::int64_t>>();
+  row.values = numbers_of_text(json.at("values").get_ref<const std::string&>());
   if (row.digest != frame_digest(row.frame, row.values)) return {};
   const auto of_key = [&](const char* key, auto& member) {
     if (json.contains(key)) json[key].get_to(member);
   };
-  of_key("histograms", answer.frame.histograms);
+  if (json.contains("histograms"))
+    for (const auto& [name, bins] : json["histograms"].items())
+      answer.frame.histograms[name] = numbers_of_text(bins.get_ref<const std::string&>());
   of_key("causes", answer.frame.causes);
   const auto bytes_of_key = [&](const char* key, std::string& member) {
     if (json.contains(key)) member = of_hex(json[key].get<std::string>());

@@ -30,7 +30,7 @@ class FrameJudge {
   /// The numbers of SweepKind::errors. What it had to make for that, and the causes, if they are
   /// asked for, it puts into the answer.
   virtual std::vector<std::int64_t> errors(const ChipBench::Frame& frame, const KeptPictures& kept,
-                                           Answer& answer) const = 0;
+                                           Answer& answer) = 0;
 };
 
 /// Of a block's point; `show` is its scene, and outlives the judge.

@@ -22,44 +22,6 @@ constexpr std::uint8_t More = 1 << LengthBits7;
 
 [[noreturn]] void damaged() { throw std::runtime_error("a packed picture is damaged"); }
 
-std::string runs_of(const std::vector<std::uint8_t>& colours) {
-  std::string runs;
-  for (auto at = colours.begin(); at != colours.end();) {
-    const auto end = std::find_if(at, colours.end(), [&](std::uint8_t one) { return one != *at; });
-    auto length = static_cast<std::size_t>(end - at);
-    if (length < ShortRun) {
-      runs += static_cast<char>(*at | length << ColourBits);
-    } else {
-      runs += static_cast<char>(*at);
-      for (; length >= More; length >>= LengthBits7) runs += static_cast<char>(length | More);
-      runs += static_cast<char>(length);
-    }
-    at = end;
-  }
-  return runs;
-}
-
-std::vector<std::uint8_t> colours_of(const std::string& runs, std::size_t size) {
-  std::vector<std::uint8_t> colours(size);
-  std::size_t done = 0;
-  for (std::size_t at = 0; at < runs.size();) {
-    const auto first = static_cast<std::uint8_t>(runs[at++]);
-    std::size_t length = first >> ColourBits;
-    for (int shift = 0; length == 0 || shift > 0;) {
-      if (at == runs.size() || shift > 4 * LengthBits7) damaged();
-      const auto byte = static_cast<std::uint8_t>(runs[at++]);
-      length |= static_cast<std::size_t>(byte & (More - 1)) << shift;
-      shift = byte & More ? shift + LengthBits7 : 0;
-      if (shift == 0 && length == 0) damaged();
-    }
-    if (length > size - done) damaged();
-    std::fill_n(colours.begin() + static_cast<std::ptrdiff_t>(done), length, first & ColourMask);
-    done += length;
-  }
-  if (done != size) damaged();
-  return colours;
-}
-
 }  // namespace
 
 std::string packed(std::string_view bytes) {
@@ -82,18 +44,40 @@ std::string unpacked(std::string_view bytes, std::size_t size) {
   return result;
 }
 
-// The runs have their length before them.
 std::string packed_colours(const std::vector<std::uint8_t>& colours) {
-  const std::string runs = runs_of(colours);
-  return std::to_string(runs.size()) + ' ' + packed(runs);
+  std::string runs;
+  for (auto at = colours.begin(); at != colours.end();) {
+    const auto end = std::find_if(at, colours.end(), [&](std::uint8_t one) { return one != *at; });
+    auto length = static_cast<std::size_t>(end - at);
+    if (length < ShortRun) {
+      runs += static_cast<char>(*at | length << ColourBits);
+    } else {
+      runs += static_cast<char>(*at);
+      for (; length >= More; length >>= LengthBits7) runs += static_cast<char>(length | More);
+      runs += static_cast<char>(length);
+    }
+    at = end;
+  }
+  return runs;
 }
 
-std::vector<std::uint8_t> unpacked_colours(std::string_view bytes, std::size_t size) {
-  std::size_t length = 0;
-  const auto [end, error] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), length);
-  const auto head = static_cast<std::size_t>(end - bytes.data());
-  if (error != std::errc() || head == bytes.size() || length > 2 * size) damaged();
-  return colours_of(unpacked(bytes.substr(head + 1), length), size);
+void unpack_colours(std::string_view runs, std::vector<std::uint8_t>& colours) {
+  std::size_t done = 0;
+  for (std::size_t at = 0; at < runs.size();) {
+    const auto first = static_cast<std::uint8_t>(runs[at++]);
+    std::size_t length = first >> ColourBits;
+    for (int shift = 0; length == 0 || shift > 0;) {
+      if (at == runs.size() || shift > 4 * LengthBits7) damaged();
+      const auto byte = static_cast<std::uint8_t>(runs[at++]);
+      length |= static_cast<std::size_t>(byte & (More - 1)) << shift;
+      shift = byte & More ? shift + LengthBits7 : 0;
+      if (shift == 0 && length == 0) damaged();
+    }
+    if (length > colours.size() - done) damaged();
+    std::fill_n(colours.begin() + static_cast<std::ptrdiff_t>(done), length, first & ColourMask);
+    done += length;
+  }
+  if (done != colours.size()) damaged();
 }
 
 // The size is that of a screen at most: a head that says more is damaged.
@@ -119,6 +103,30 @@ PackedPicture unpacked_picture(std::string_view bytes) {
       unpacked({at, static_cast<std::size_t>(end - at)}, picture.pixels() * picture.colour_bytes());
   picture.colours.assign(colours.begin(), colours.end());
   return picture;
+}
+
+std::string text_of_numbers(const std::vector<std::int64_t>& numbers) {
+  constexpr std::size_t Longest = 21;  // with its space
+  std::string text(numbers.size() * Longest, ' ');
+  char* end = text.data();
+  for (const std::int64_t number : numbers) {
+    if (end != text.data()) *end++ = ' ';
+    end = std::to_chars(end, text.data() + text.size(), number).ptr;
+  }
+  text.resize(static_cast<std::size_t>(end - text.data()));
+  return text;
+}
+
+std::vector<std::int64_t> numbers_of_text(std::string_view text) {
+  std::vector<std::int64_t> numbers;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    if (!numbers.empty() && *at++ != ' ') throw std::runtime_error("no space between two numbers");
+    const auto [next, error] = std::from_chars(at, end, numbers.emplace_back());
+    if (error != std::errc()) throw std::runtime_error("what should be a number is none");
+    at = next;
+  }
+  return numbers;
 }
 
 std::string hex_of(std::string_view bytes) {

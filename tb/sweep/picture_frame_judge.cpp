@@ -32,7 +32,7 @@ class PictureFrameJudge final : public FrameJudge {
   }
 
   std::vector<std::int64_t> errors(const ChipBench::Frame& frame, const KeptPictures& kept,
-                                   Answer& answer) const override {
+                                   Answer& answer) override {
     const PackedPicture& drawn = frame.picture;
     PackedPicture meant;
     if (kept.reference.empty()) {

@@ -22,7 +22,9 @@ Colours runs(const std::vector<std::size_t>& lengths) {
 }
 
 void expect_same(const Colours& colours) {
-  EXPECT_EQ(unpacked_colours(packed_colours(colours), colours.size()), colours);
+  Colours again(colours.size(), 63);
+  unpack_colours(packed_colours(colours), again);
+  EXPECT_EQ(again, colours);
 }
 
 TEST(Packed, ColoursComeBackWhateverTheirRuns) {
@@ -46,16 +48,26 @@ TEST(Packed, BytesComeBack) {
 TEST(Packed, DamagedPicturesAreRefused) {
   const Colours colours = runs({3, 700, 2, 90});
   const std::string good = packed_colours(colours);
-  EXPECT_THROW(unpacked_colours(good, colours.size() - 1), std::runtime_error);
-  EXPECT_THROW(unpacked_colours(good, colours.size() + 1), std::runtime_error);
+  const auto expect_refused = [](const std::string& runs, std::size_t size) {
+    Colours places(size);
+    EXPECT_THROW(unpack_colours(runs, places), std::runtime_error);
+  };
+  expect_refused(good, colours.size() - 1);
+  expect_refused(good, colours.size() + 1);
   for (std::size_t size = 0; size < good.size(); ++size)
-    EXPECT_THROW(unpacked_colours(good.substr(0, size), colours.size()), std::runtime_error);
-  EXPECT_THROW(unpacked_colours("99999999999 x", 1), std::runtime_error);
+    expect_refused(good.substr(0, size), colours.size());
   // Runs that end within a length, and one without end.
-  for (const std::string& text : {std::string("\0", 1), std::string("\0\x80", 2),
+  for (const std::string& runs : {std::string("\0", 1), std::string("\0\x80", 2),
                                   std::string("\0\0", 2), std::string(20, '\x80')})
-    EXPECT_THROW(unpacked_colours(std::to_string(text.size()) + ' ' + packed(text), 64),
-                 std::runtime_error);
+    expect_refused(runs, 64);
+}
+
+TEST(Packed, NumbersComeBackAndOtherTextIsRefused) {
+  using Numbers = std::vector<std::int64_t>;
+  for (const Numbers& numbers : {Numbers{}, Numbers{0}, Numbers{-1, 7, INT64_MIN, INT64_MAX, 0}})
+    EXPECT_EQ(numbers_of_text(text_of_numbers(numbers)), numbers);
+  for (const char* bad : {" ", "1 ", "1  2", "1,2", "x", "1 x", "0x1", "9223372036854775808"})
+    EXPECT_THROW(numbers_of_text(bad), std::runtime_error) << bad;
 }
 
 TEST(Packed, APictureKeepsItsSizeAndDepth) {
