@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "tb/program/common_options.h"
 #include "tb/scene/engines.h"
 #include "tb/show/open_show.h"
+#include "tb/speed/block_rows.h"
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/engine_rows.h"
 #include "tb/speed/host_rows.h"
@@ -98,12 +100,24 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
 
 // Groups of rows, which may be asked for as a unit may.
 constexpr const char *Levels = "levels", *Engines = "engines", *Traces = "traces", *Mixes = "mixes",
-                     *Host = "host", *Store = "store", *Spheres = "spheres";
+                     *Host = "host";
 constexpr const char* Sweep = "sweep";  // only if it is asked for: it takes minutes
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
 constexpr double RealTime = 2 * PixelClockHz;  // clocks a second of the chip
+
+/// Clocks that are counted, and not measured.
+struct CountedRows {
+  const char* name;
+  bool if_named;  ///< it takes seconds
+  Json (*rows)();
+  std::string (*text)(const Json& rows);
+};
+constexpr CountedRows Counted[] = {{"store", false, store_rows, store_tables},
+                                   {"spheres", false, sphere_rows, sphere_text},
+                                   {"cores", false, core_rows, core_text},
+                                   {"pictures", true, picture_rows, picture_text}};
 
 /// Benchmarks that run in a process of their own, and how many rows they have.
 struct Group {
@@ -182,7 +196,8 @@ std::string verdict(const Json& worst) {
 }  // namespace
 
 std::vector<std::string> bench_rows() {
-  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Host, Store, Spheres, Sweep};
+  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Host, Sweep};
+  for (const CountedRows& group : Counted) rows.emplace_back(group.name);
   for (const std::string& part : sweep_parts()) rows.push_back(sweep_name(part));
   for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
   return rows;
@@ -246,15 +261,11 @@ int command_bench(const BenchOptions& options) {
     worst = slowest_tlm(all);
     if (!options.json) print(verdict(worst));
   }
-  Json store;
-  if (wanted(Store)) {
-    store = store_rows();
-    if (!options.json) print(store_tables(store));
-  }
-  Json spheres;
-  if (wanted(Spheres)) {
-    spheres = sphere_rows();
-    if (!options.json) print(sphere_text(spheres));
+  std::map<std::string, Json> counted;
+  for (const CountedRows& group : Counted) {
+    if (!wanted(group.name) || (group.if_named && options.rows.empty())) continue;
+    counted[group.name] = group.rows();
+    if (!options.json) print(group.text(counted[group.name]));
   }
   for (const std::string& part : sweep_parts())
     if (!options.rows.empty() && (wanted(Sweep) || wanted(sweep_name(part))))
@@ -266,8 +277,7 @@ int command_bench(const BenchOptions& options) {
                 {"frames", options.frames},
                 {"medians", all}};
     if (wanted(Levels)) report["slowest_tlm"] = worst;
-    if (wanted(Store)) report["store"] = store;
-    if (wanted(Spheres)) report["spheres"] = spheres;
+    for (const auto& [name, rows] : counted) report[name] = rows;
     print(report.dump(2) + "\n");
   }
   return ExitGood;
@@ -277,10 +287,11 @@ namespace {
 
 void add_options(const CommandOptions& command, BenchOptions& options) {
   command
-      .add_option("row", options.rows,
-                  "Only these: levels, engines, traces, mixes, host, store, spheres, sweep, a part "
-                  "of it such "
-                  "as sweep-causes, or units; sweep takes minutes and is run only if it is named")
+      .add_option(
+          "row", options.rows,
+          "Only these: levels, engines, traces, mixes, host, store, spheres, cores, pictures, "
+          "sweep, a part of it such as sweep-causes, or units; pictures takes seconds and "
+          "sweep minutes: they are run only if they are named")
       .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))

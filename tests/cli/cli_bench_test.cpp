@@ -74,6 +74,17 @@ TEST(CliBench, SpheresAreATableThatThePageHas) {
               testing::HasSubstr("\n\n" + output({"bench", "spheres"}) + "\n"));
 }
 
+// The design counted no bus, which takes one word a clock: 98 % of 35 cores.
+TEST(CliBench, CoresAreATableThatThePageHas) {
+  EXPECT_THAT(read_file(RACEBEAM_SOURCE_DIR "/docs/block.md"),
+              testing::HasSubstr("\n\n" + output({"bench", "cores"}) + "\n"));
+  const auto rows = nlohmann::json::parse(output({"bench", "cores", "--json"})).at("cores");
+  for (const auto& row : rows) {
+    if (row.at("cores") > 8) continue;
+    EXPECT_GT(row.at("busy"), 0.99) << row.at("cores");
+  }
+}
+
 TEST(CliBench, EnginesAreComparedAtEachLevelWithTheFirst) {
   const auto report =
       nlohmann::json::parse(output({"bench", "engines", "--repeat", "1", "--json"}));
@@ -89,8 +100,8 @@ TEST(CliBench, EnginesAreComparedAtEachLevelWithTheFirst) {
     EXPECT_DOUBLE_EQ(row.at("ratio").get<double>(),
                      rate / beside->at("clocks_per_second").get<double>());
   }
-  EXPECT_THAT(names,
-              testing::ElementsAre("beam: tlm", "beam: signal", "sphere: tlm", "sphere: signal"));
+  EXPECT_THAT(names, testing::ElementsAre("beam: tlm", "beam: signal", "sphere: tlm",
+                                          "sphere: signal", "block: tlm", "block: signal"));
 }
 
 // A part that takes seconds. How fast it is depends on the machine: a goal that is missed is no
