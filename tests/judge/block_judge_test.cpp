@@ -67,6 +67,15 @@ TEST(BlockJudge, OnePassIsWithinTheBoundsOfTheDesign) {
   }
 }
 
+TEST(BlockJudge, AStepOfHeronsTakesMostOfTheErrorAway) {
+  block_knobs k;
+  k.max_passes = 1;
+  k.root = BlockRootHeron;
+  const BlockErrors e = errors("forty", k, 0);
+  EXPECT_LE(percent(e.by_more_than_2, e), 1);
+  EXPECT_LE(percent(e.by_more_than_16, e), 0.2);
+}
+
 // A mirror multiplies what the roots are too long by; measured: 15.2, 14.4 % and 4.76 %.
 TEST(BlockJudge, ReflectionsOfFortyAreOffByWhatTheDesignSays) {
   const BlockErrors e = errors("forty", {}, 0);
