@@ -118,6 +118,7 @@ TEST(BlockChipRtl, EveryUnitAgreesWithOtherKnobs) {
   k.specular_squarings = 2;
   k.max_passes = 2;
   k.cull = BlockCullOff;
+  k.root = BlockRootExact;
   k.background = 0x123456;
   k.fraction_bits = 14;
   k.size = BlockSize512;

@@ -2,6 +2,8 @@
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <random>
+
 #include "tests/block/chip_and_machine.h"
 #include "tests/block/few_spheres.h"
 #include "tests/support/block_scenes.h"
@@ -77,6 +79,42 @@ TEST(BlockChip, OneLaneAndEightPassesAreTheMachines) {
   k.lanes = 1;
   k.max_passes = 8;
   expect_picture(k, few_tables());
+}
+
+TEST(BlockChip, ConesAndHeronsRootsAreTheMachines) {
+  block_knobs k = with_cores(2);
+  k.cull = BlockCullCone;
+  k.root = BlockRootHeron;
+  expect_picture(k, few_tables());
+}
+
+TEST(BlockChip, RootsDigitByDigitAreTheMachines) {
+  block_knobs k = with_cores(3);
+  k.root = BlockRootExact;
+  expect_picture(k, few_tables());
+}
+
+TEST(BlockChip, RandomStallsOfTheBusLoseNoWord) {
+  constexpr unsigned Seed = 3;
+  SCOPED_TRACE(testing::Message() << "seed " << Seed);
+  std::mt19937 random(Seed);
+  const block_knobs k = with_cores(5);
+  block_chip chip("block", k);
+  UnitBench bench(chip);
+  // Over what write_buffer says; it may get a word twice.
+  bench.between_edges([&] {
+    const bool room =
+        static_cast<int>(chip.fill.read()) < k.write_buffer_depth || chip.take_ready.read();
+    chip.put_ready.write(room && random() % 3 == 0);
+  });
+  SceneSender(bench, few_tables(), k).send([&] { bench.clock(); });
+  int clocks = 0;
+  for (; (!bench["done_o"].value() || chip.take_valid.read()) && clocks < 2'000'000; ++clocks)
+    bench.clock();
+  block_machine machine(k);
+  machine.draw(few_tables());
+  EXPECT_GT(clocks, 2 * static_cast<int>(machine.counters().clocks)) << "it is the bus that waits";
+  EXPECT_EQ(chip.memory(), machine.picture());
 }
 
 TEST(BlockChip, RootsOutOfRangeAndSmallVectorsAreTheMachines) {

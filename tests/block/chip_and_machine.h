@@ -25,6 +25,8 @@ class SceneSender {
     bench_["spheres_i"].drive(tables.balls.size());
     bench_["ax_i"].drive(static_cast<std::uint32_t>(world.ax));
     bench_["ay_i"].drive(static_cast<std::uint32_t>(world.ay));
+    bench_["cone_sine_i"].drive(static_cast<std::uint32_t>(world.cone_sine));
+    bench_["cone_cosine2_i"].drive(static_cast<std::uint32_t>(world.cone_cosine2));
     bench_.clock(2);
     bench_["rst_ni"].drive(1);
     bench_.settle();
