@@ -14,6 +14,7 @@ module block_core #(
     parameter int SpecularSquarings = 4,
     parameter int MaxPasses = 3,
     parameter int Root = 0,
+    parameter int ShadowRays = 0,
     parameter int Cull = 0,  // 0: corners, 1: cone, 2: off
     parameter int Background = 0,  // {red, green, blue}
     parameter int PictureWidth = 640,
@@ -71,7 +72,7 @@ module block_core #(
   localparam int RowWords = PictureWidth / 8;
   localparam int PlaneWords = RowWords * PictureHeight;
   localparam logic [1:0] LastQuarter = 2'(Corners / CornerLanes - 1);
-  localparam logic [3:0] LastPass = 4'(MaxPasses - 1);
+  localparam logic [3:0] AllPasses = 4'(MaxPasses);
   localparam logic [3:0] ClippedRow = 4'(PictureHeight - 1);  // last row of the last blocks
 
   typedef logic [IndexBits-1:0] index;
@@ -80,16 +81,17 @@ module block_core #(
 
   block_pkg::block_state state_q, state_d;
   block_pkg::block_event event_q, event_d;
-  logic step_q, step_d;  // JOB, and GROUP of a later pass: the second clock
+  logic step_q, step_d;  // JOB, groups of later passes: the second clock; SHADOW: the last
   logic [PlaceBits-1:0] job_x_q, job_y_q;
   logic [3:0] column_q, column_d, row_q, row_d;
   logic [1:0] plane_q, plane_d;
   logic [1:0] corner_q, corner_d;  // CORNER; CULL: the first of those that are tested
   block_pkg::number left_q, at_x_q, at_x_d, at_y_q, at_y_d;  // on the screen
   logic [Corners*3*Bits-1:0] corners_q;
-  index index_q, index_d;  // CULL: a sphere, GROUP and NEAR: a group
+  index index_q, index_d;  // CULL: a sphere; groups and what follows them: a group
   logic [3:0] pass_q, pass_d;  // passes that were shaded
   block_pkg::axes position_q, position_d, dir_q, dir_d, colour_q, colour_d;
+  block_pkg::axes lit_q;  // to the light
   logic [Lanes-1:0] pending_q, pending_d;
   logic [Lanes-1:0] over_q;  // whose d is 8.0 and above
   logic [Lanes*Bits-1:0] b_q;
@@ -103,6 +105,12 @@ module block_core #(
   wire logic in_corner = state_q == block_pkg::BlockCorner;
   wire logic in_cull = state_q == block_pkg::BlockCull;
   wire logic in_shade = state_q == block_pkg::BlockShade;
+  wire logic in_shadow = state_q == block_pkg::BlockShadow;
+  wire logic meets_light = ShadowRays != 0 && state_q >= block_pkg::BlockShadow;
+  wire logic in_group = state_q == block_pkg::BlockGroup || state_q == block_pkg::BlockShadowGroup;
+  wire logic in_near = state_q == block_pkg::BlockNear || state_q == block_pkg::BlockShadowNear;
+  wire block_pkg::axes to_light =
+      block_pkg::difference_of({light_x_i, light_y_i, light_z_i}, position_q);
 
   // --- The block on the screen -----------------------------------------------------------------
   wire logic [PlaceBits-1:0] pixels = step_q ? job_y_q : job_x_q;
@@ -119,7 +127,7 @@ module block_core #(
   // --- Spheres, one lane each ------------------------------------------------------------------
   wire index group = in_cull ? index_q >> LaneBits : in_shade ? nearest_q >> LaneBits : index_q;
   wire index chosen = (in_cull ? index_q : nearest_q) & IndexBits'(Lanes - 1);
-  wire logic secondary = state_q == block_pkg::BlockGroup && step_q;
+  wire logic secondary = in_group && step_q;
   wire logic [Lanes*3*Bits-1:0] poses, centres, bases;
   wire logic [Lanes*Bits-1:0] rvs, b;
   wire logic [Lanes*LongBits-1:0] d;
@@ -168,9 +176,10 @@ module block_core #(
     assign rvs[n*Bits+:Bits] = own_rv;
     assign squares[n*Bits+:Bits] = radius2;
 
-    assign a = in_cull ? pose
+    assign a = in_cull ? pose : in_shadow ? to_light
                : first_pass ? own_pose : block_pkg::difference_of(position_q, own_centre);
-    assign ray = in_cull ? corners_q[32'(corner)*3*Bits+:3*Bits] : dir_q;
+    assign ray = in_cull ? corners_q[32'(corner)*3*Bits+:3*Bits]
+                 : meets_light ? lit_q : dir_q;
     assign k = in_cull ? rv : first_pass ? own_rv : radius2;
 
     block_lane u_block_lane (
@@ -187,7 +196,9 @@ module block_core #(
         .d_o(d[n*LongBits+:LongBits])
     );
     assign crossed[n] = !d[n*LongBits+LongBits-1] && d[n*LongBits+:LongBits] != '0;
-    assign exists[n] = (32'(index_q) << LaneBits) + n < 32'(spheres_i);
+    wire index at = index_q << LaneBits | IndexBits'(n);
+    assign exists[n] = (32'(index_q) << LaneBits) + n < 32'(spheres_i)
+        && !(meets_light && at == nearest_q);
   end
 
   logic keeps;
@@ -239,7 +250,7 @@ module block_core #(
   ) u_block_root (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
-      .start_i(state_q == block_pkg::BlockNear),
+      .start_i(in_near),
       .d_i(near_d),
       .root_o(root),
       .done_o(root_done)
@@ -254,7 +265,7 @@ module block_core #(
       at_x_q + (Cull == 1 ? half_right : corner_q[1] ? right : '0);
   wire block_pkg::number corner_y =
       at_y_q - (Cull == 1 ? half_down : corner_q[1] ^ corner_q[0] ? down : '0);
-  assign v = in_shade ? v_shade
+  assign v = in_shade ? v_shade : in_shadow ? to_light
              : {in_corner ? corner_x : at_x_q, in_corner ? corner_y : at_y_q, start_z_i};
 
   block_normalise #(
@@ -262,7 +273,7 @@ module block_core #(
   ) u_block_normalise (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
-      .start_i(in_corner || state_q == block_pkg::BlockPixel || normalise),
+      .start_i(in_corner || state_q == block_pkg::BlockPixel || in_shadow && !step_q || normalise),
       .v_x_i(v[2*Bits+:Bits]),
       .v_y_i(v[Bits+:Bits]),
       .v_z_i(v[0+:Bits]),
@@ -354,7 +365,7 @@ module block_core #(
   // --- What counters are told ------------------------------------------------------------------
   always_comb begin
     event_d = small_vector ? block_pkg::BlockSmallVector : block_pkg::BlockNoEvent;
-    if (state_q == block_pkg::BlockNear && root_done && near_over) event_d = block_pkg::BlockRootOver;
+    if (in_near && root_done && near_over) event_d = block_pkg::BlockRootOver;
     if (in_cull && Cull == 0)
       for (int n = CornerLanes - 1; n >= 0; n--)
         if (crossed[n])
@@ -367,6 +378,7 @@ module block_core #(
   end
 
   // --- States ----------------------------------------------------------------------------------
+  logic pass_ends, dark;  // dark: in the shadow, its light does not count
   always_comb begin
     state_d = state_q;
     step_d = step_q;
@@ -378,6 +390,8 @@ module block_core #(
     {position_d, dir_d, colour_d} = {position_q, dir_q, colour_q};
     pending_d = pending_q;
     {hit_d, nearest_d, best_d} = {hit_q, nearest_q, best_q};
+    pass_ends = 1'b0;
+    dark = 1'b0;
     unique case (state_q)
       block_pkg::BlockIdle: begin
         step_d = 1'b0;
@@ -428,16 +442,17 @@ module block_core #(
         best_d = Far;
         state_d = none ? block_pkg::BlockDecide : block_pkg::BlockGroup;
       end
-      block_pkg::BlockGroup: begin
+      block_pkg::BlockGroup, block_pkg::BlockShadowGroup: begin
         step_d = !first_pass && !step_q;
         if (first_pass || step_q) begin
           pending_d = hits;
-          if (hits != '0) state_d = block_pkg::BlockNear;
-          else if (last_group) state_d = block_pkg::BlockDecide;
-          else index_d = index_q + 1'b1;
+          if (hits != '0) state_d = meets_light ? block_pkg::BlockShadowNear : block_pkg::BlockNear;
+          else if (!last_group) index_d = index_q + 1'b1;
+          else if (meets_light) pass_ends = 1'b1;
+          else state_d = block_pkg::BlockDecide;
         end
       end
-      block_pkg::BlockNear:
+      block_pkg::BlockNear, block_pkg::BlockShadowNear:
       if (root_done) begin
         pending_d = others;
         if (nearer) begin
@@ -445,8 +460,12 @@ module block_core #(
           best_d = t;
           nearest_d = index_q << LaneBits | near_lane;
         end
-        if (others == '0) begin
-          state_d = last_group ? block_pkg::BlockDecide : block_pkg::BlockGroup;
+        dark = nearer && meets_light;
+        if (dark || others == '0 && last_group && meets_light) begin
+          pass_ends = 1'b1;
+        end else if (others == '0) begin
+          state_d = meets_light ? block_pkg::BlockShadowGroup
+                    : last_group ? block_pkg::BlockDecide : block_pkg::BlockGroup;
           index_d = index_q + 1'b1;
         end
       end
@@ -455,12 +474,18 @@ module block_core #(
       if (shade_done) begin
         position_d = point;
         dir_d = direction;
-        colour_d = block_pkg::sum_of(colour_q, light_of_hit);
         pass_d = pass_q + 1'b1;
-        index_d = '0;
-        hit_d = 1'b0;
-        best_d = Far;
-        state_d = pass_q == LastPass ? block_pkg::BlockStore : block_pkg::BlockGroup;
+        if (ShadowRays != 0) state_d = block_pkg::BlockShadow;
+        else pass_ends = 1'b1;
+      end
+      block_pkg::BlockShadow: begin
+        step_d = unit_done;
+        if (step_q) begin
+          index_d = '0;
+          hit_d = 1'b0;
+          best_d = b[0+:Bits];
+          state_d = block_pkg::BlockShadowGroup;
+        end
       end
       block_pkg::BlockStore:
       if (full) begin
@@ -487,6 +512,13 @@ module block_core #(
       end
       default: state_d = block_pkg::BlockIdle;
     endcase
+    if (pass_ends) begin
+      if (!dark) colour_d = block_pkg::sum_of(colour_q, light_of_hit);
+      index_d = '0;
+      hit_d = 1'b0;
+      best_d = Far;
+      state_d = pass_d == AllPasses ? block_pkg::BlockStore : block_pkg::BlockGroup;
+    end
   end
 
   always_ff @(posedge clk_i) begin
@@ -509,7 +541,8 @@ module block_core #(
     if (job_ready_o) {job_x_q, job_y_q} <= {job_x_i, job_y_i};
     if (state_q == block_pkg::BlockJob) left_q <= at_x_d;
     if (in_corner && unit_done) corners_q[32'(corner_q)*3*Bits+:3*Bits] <= unit_vector;
-    if (state_q == block_pkg::BlockGroup) begin
+    if (in_shadow && unit_done) lit_q <= unit_vector;
+    if (in_group) begin
       b_q <= b;
       for (int n = 0; n < Lanes; n++) begin
         d_q[n*RootBits+:RootBits] <= d[n*LongBits+:RootBits];

@@ -44,7 +44,10 @@ package block_pkg;
     BlockDecide = 4'd8,
     BlockShade = 4'd9,
     BlockStore = 4'd10,
-    BlockWords = 4'd11
+    BlockWords = 4'd11,
+    BlockShadow = 4'd12,
+    BlockShadowGroup = 4'd13,
+    BlockShadowNear = 4'd14
   } block_state;
 
   typedef enum logic [2:0] {

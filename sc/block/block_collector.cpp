@@ -20,7 +20,7 @@ void block_collector::count_event(int event) {
 
 void block_collector::count_state(core& c, int state) {
   const bool entered = state != c.state;
-  now_.groups_skipped += c.met && state != BlockNear;
+  now_.groups_skipped += c.met && state != BlockNear && state != BlockShadowNear;
   c.met = false;
   if (c.state == BlockShade && entered) ++c.pass;
   switch (state) {
@@ -28,11 +28,13 @@ void block_collector::count_state(core& c, int state) {
     case BlockClear: now_.cleared += entered; break;
     case BlockPixel: c.pass = 0; break;
     case BlockGroup:
+    case BlockShadowGroup:
       c.met = c.pass == 0 || c.second;
       c.second = !c.met;
       now_.groups += c.met;
       break;
     case BlockNear:
+    case BlockShadowNear:
       c.near = entered ? 1 : c.near + 1;
       now_.roots += c.near % root_clocks_ == 0;
       break;

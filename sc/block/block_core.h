@@ -22,19 +22,24 @@
 //                           t = -b - root(d); the nearest t > 0 below BlockFar counts
 //         BlockDecide       1
 //         BlockShade        block_shade's
+//         BlockShadow       shadow_rays: the unit vector of the way from the hit to the light, and
+//                           1 for its length, the product of both
+//         BlockShadowGroup  2 a group: the spheres that the way crosses, the hit's own left out
+//         BlockShadowNear   as BlockNear, up to the first t > 0 below the length: what the pass has
+//                           lit, its highlight too, is dark and is not added
 //         BlockStore        1
 //         BlockWords        3 after every eighth pixel: red, green, blue
 //         cull = off: from BlockJob to BlockPixel. Without spheres there is neither BlockCull nor
-//         BlockGroup. After BlockShade the next pass begins with BlockGroup; after that of the last
-//         pass comes BlockStore.
+//         BlockGroup. After BlockShade, or its shadow ray, the next pass begins with BlockGroup;
+//         after the last pass comes BlockStore. A dark pixel is black, not the background.
 // Comb    none.
 // Stall   BlockClear and BlockWords wait for word_ready_i.
 // Reset   rst_ni = 0: BlockIdle, BlockNoEvent. Places, counts and numbers are without reset.
 // Address of a word: plane * (width * height / 8) + y * (width / 8) + x / 8; rows of a block below
 //         the picture are not drawn.
-// Knobs   lanes, newton_steps, specular_squarings, max_passes, root, cull, background, size:
-//         parameters Lanes, NewtonSteps, SpecularSquarings, MaxPasses, Root, Cull, Background,
-//         PictureWidth, PictureHeight.
+// Knobs   lanes, newton_steps, specular_squarings, max_passes, root, shadow_rays, cull,
+//         background, size: parameters Lanes, NewtonSteps, SpecularSquarings, MaxPasses, Root,
+//         ShadowRays, Cull, Background, PictureWidth, PictureHeight.
 // Twin    rtl/block/block_core.sv
 // Test    tests/block/block_core_test.cpp
 // Source  article "The Integer Raytracer".

@@ -45,6 +45,7 @@ block_shade_core::inputs block_core_core::hit_of(const inputs& in, const block_k
 vec3 block_core_core::normalised(const inputs& in, const block_shade_core::inputs& hit,
                                  const block_knobs& k) const {
   if (state_q == BlockShade) return shade_q.vector(hit);
+  if (state_q == BlockShadow) return block_difference(in.light, position_q);
   if (state_q != BlockCorner) return {at_x_q, at_y_q, in.start[2]};
   if (k.cull == BlockCullCone)  // the middle
     return {block_sum(at_x_q, wrap32(std::int64_t{BlockSide - 1} * in.ax) >> 1),
@@ -62,9 +63,9 @@ void block_core_core::clock(const inputs& in, const block_knobs& k) {
   const block_normalise_core::outputs unit = normalise_q.comb(v, k);
   hit.unit = unit.unit;
   hit.unit_done = unit.done;
-  const block_root_core::inputs near{in.rst_n, state_q == BlockNear,
-                                     d_q[static_cast<std::size_t>(near_lane(k))]};
-  const bool normalises = state_q == BlockCorner || state_q == BlockPixel || shade_q.normalise();
+  const block_root_core::inputs root{in.rst_n, near(), d_q[static_cast<std::size_t>(near_lane(k))]};
+  const bool normalises = state_q == BlockCorner || state_q == BlockPixel ||
+                          (state_q == BlockShadow && step_q == 0) || shade_q.normalise();
 
   event_q = normalise_q.small() ? BlockSmallVector : BlockNoEvent;
   switch (state_q) {
@@ -74,14 +75,17 @@ void block_core_core::clock(const inputs& in, const block_knobs& k) {
     case BlockCull: cull(in, k); break;
     case BlockClear: clear(in, k); break;
     case BlockPixel: pixel(unit, in); break;
-    case BlockGroup: group(in, k); break;
-    case BlockNear: nearest(in, k); break;
+    case BlockGroup:
+    case BlockShadowGroup: group(in, k); break;
+    case BlockNear:
+    case BlockShadowNear: nearest(in, k); break;
     case BlockDecide: state_q = hit_q ? BlockShade : BlockStore; break;
     case BlockShade: shaded(hit, k); break;
+    case BlockShadow: shadow(unit, v); break;
     case BlockStore: store(in, k); break;
     default: words(in, k);
   }
-  root_q.clock(near, k);
+  root_q.clock(root, k);
   shade_q.clock(hit, k);
   normalise_q.clock({in.rst_n, normalises, v}, k);
   if (in.write.write) {
@@ -171,19 +175,20 @@ void block_core_core::pixel(const block_normalise_core::outputs& unit, const inp
   position_q = in.eye;
   colour_q = {};
   pass_q = 0;
-  begin_pass();
+  begin_ray(Far);
   state_q = in.spheres ? BlockGroup : BlockDecide;
 }
 
-void block_core_core::begin_pass() {
+void block_core_core::begin_ray(int best) {
   index_q = 0;
   step_q = 0;
   hit_q = false;
-  best_q = Far;
+  best_q = best;
 }
 
 void block_core_core::group(const inputs& in, const block_knobs& k) {
   const bool first = pass_q == 0, second = step_q != 0;
+  const int own = meets_light() ? nearest_q : -1;
   int pending = 0;
   over_q = 0;
   for (int n = 0; n < k.lanes; ++n) {
@@ -191,13 +196,14 @@ void block_core_core::group(const inputs& in, const block_knobs& k) {
     const block_sphere& row = spheres_q[lane].row(index_q, k);
     const block_lane_core::inputs ray{second,
                                       first ? row.pose : block_difference(position_q, row.centre),
-                                      dir_q, first ? row.rv : row.radius2};
+                                      meets_light() ? lit_q : dir_q, first ? row.rv : row.radius2};
     const block_lane_core::outputs o = lanes_q[lane].comb(ray);
     lanes_q[lane].clock(ray);
     b_q[lane] = o.b;
     d_q[lane] = static_cast<int>(o.d & low_bits(BlockRootBits));
     over_q |= (o.d >> BlockRootBits != 0) << n;
-    if (o.d > 0 && index_q * k.lanes + n < in.spheres) pending |= 1 << n;
+    const int at = index_q * k.lanes + n;
+    if (o.d > 0 && at < in.spheres && (at & (BlockEntries - 1)) != own) pending |= 1 << n;
   }
   if (!first && !second) {
     step_q = 1;
@@ -205,7 +211,7 @@ void block_core_core::group(const inputs& in, const block_knobs& k) {
   }
   step_q = 0;
   pending_q = pending;
-  if (pending) state_q = BlockNear;
+  if (pending) state_q = meets_light() ? BlockShadowNear : BlockNear;
   else next_group(in, k);
 }
 
@@ -221,32 +227,51 @@ void block_core_core::nearest(const inputs& in, const block_knobs& k) {
   const int lane = near_lane(k);
   const auto n = static_cast<std::size_t>(lane);
   const int t = wrap32(-std::int64_t{b_q[n]} - root_q.root(d_q[n], k));
-  if (t > 0 && t < best_q) {
+  const bool nearer = t > 0 && t < best_q;
+  if (nearer) {
     best_q = t;
     hit_q = true;
     nearest_q = (index_q * k.lanes + lane) & (BlockEntries - 1);
   }
   if (bit_of(over_q, lane)) event_q = BlockRootOver;
   pending_q &= pending_q - 1;
-  if (pending_q == 0) next_group(in, k);
+  if (nearer && meets_light()) next_pass(true, k);
+  else if (pending_q == 0) next_group(in, k);
 }
 
 void block_core_core::next_group(const inputs& in, const block_knobs& k) {
   if ((index_q + 1) * k.lanes >= in.spheres) {
-    state_q = BlockDecide;
+    if (meets_light()) next_pass(false, k);
+    else state_q = BlockDecide;
     return;
   }
   index_q = (index_q + 1) & (BlockEntries - 1);
-  state_q = BlockGroup;
+  state_q = meets_light() ? BlockShadowGroup : BlockGroup;
 }
 
 void block_core_core::shaded(const block_shade_core::inputs& hit, const block_knobs& k) {
   if (!shade_q.done()) return;
   position_q = shade_q.point_q;
   dir_q = shade_q.direction(hit);
-  colour_q = block_sum(colour_q, shade_q.colour_q);
   pass_q = (pass_q + 1) & 15;
-  begin_pass();
+  if (k.shadow_rays) state_q = BlockShadow;
+  else next_pass(false, k);
+}
+
+void block_core_core::shadow(const block_normalise_core::outputs& unit, const vec3& to_light) {
+  if (step_q != 0) {
+    begin_ray(idot(to_light, lit_q));
+    state_q = BlockShadowGroup;
+  } else if (unit.done) {
+    lit_q = unit.unit;
+    step_q = 1;
+  }
+}
+
+/// The ray's light counts, unless it is `dark`.
+void block_core_core::next_pass(bool dark, const block_knobs& k) {
+  if (!dark) colour_q = block_sum(colour_q, shade_q.colour_q);
+  begin_ray(Far);
   state_q = pass_q == k.max_passes ? BlockStore : BlockGroup;
 }
 

@@ -85,12 +85,16 @@ class block_core_core {
   void group(const inputs& in, const block_knobs& k);
   void nearest(const inputs& in, const block_knobs& k);
   void next_group(const inputs& in, const block_knobs& k);
-  void begin_pass();
+  void begin_ray(int best);
   void shaded(const block_shade_core::inputs& hit, const block_knobs& k);
+  void shadow(const block_normalise_core::outputs& unit, const vec3& to_light);
+  void next_pass(bool dark, const block_knobs& k);
   void store(const inputs& in, const block_knobs& k);
   void words(const inputs& in, const block_knobs& k);
   void next_pixel(const inputs& in);
 
+  bool meets_light() const { return state_q >= BlockShadow; }
+  bool near() const { return state_q == BlockNear || state_q == BlockShadowNear; }
   bool last_row(const block_knobs& k) const;
   const block_sphere& sphere(int index, const block_knobs& k) const {
     return spheres_q[static_cast<std::size_t>(index % k.lanes)].row(index / k.lanes, k);
@@ -99,16 +103,17 @@ class block_core_core {
   vec3 normalised(const inputs& in, const block_shade_core::inputs& hit,
                   const block_knobs& k) const;
 
-  int step_q = 0;  // BlockJob, and BlockGroup of a later pass: the second clock
+  int step_q = 0;  // BlockJob, a group of a later pass: the second clock; BlockShadow: the last
   int job_x_q = 0, job_y_q = 0;
   int column_q = 0, row_q = 0;  // in the block
   int plane_q = 0;
   int corner_q = 0;                        // BlockCull: the first of those that are tested
   int left_q = 0, at_x_q = 0, at_y_q = 0;  // on the screen
   std::array<vec3, Corners> corners_q{};
-  int index_q = 0;  // BlockCull: a sphere; BlockGroup and BlockNear: a group
+  int index_q = 0;  // BlockCull: a sphere; groups and what follows them: a group
   int pass_q = 0;   // passes that were shaded
   vec3 position_q{}, dir_q{}, colour_q{};
+  vec3 lit_q{};  // to the light
   int pending_q = 0;
   int over_q = 0;  // lanes whose d is 8.0 and above
   std::array<int, MostLanes> b_q{}, d_q{};

@@ -13,6 +13,7 @@ std::vector<rtl_parameter> block_parameters(const block_knobs& k) {
       {"Lanes", k.lanes, "the knob lanes"},
       {"MaxPasses", k.max_passes, "the knob max_passes"},
       {"Root", k.root, "the knob root"},
+      {"ShadowRays", k.shadow_rays, "the knob shadow_rays"},
       {"Cull", k.cull, "the knob cull"},
       {"Background", k.background, "the knob background"},
       {"FractionBits", k.fraction_bits, "the knob fraction_bits"},

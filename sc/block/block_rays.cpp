@@ -149,10 +149,17 @@ void block_rays::pixel(const vec3& at) {
     ++job_.clocks;  // DECIDE
     if (r.nearest < 0) break;
     hit = true;
-    colour = block_sum(colour, shade(r));
-    if (explained_) explained_->passes.back().colour = colour;
+    const vec3 light = shade(r);
     job_.clocks += knobs_.shade_clocks();
     ++n_.shades[static_cast<std::size_t>(pass)];
+    const int shaded = job_.clocks;
+    const bool dark = knobs_.shadow_rays && in_shadow(r.position, r.nearest);
+    if (!dark) colour = block_sum(colour, light);
+    if (!explained_) continue;
+    block_pass& told = explained_->passes.back();
+    told.colour = colour;
+    told.shadow = job_.clocks - shaded;
+    told.dark = dark;
   }
   ++job_.clocks;  // STORE
   for (int plane = 0; plane < 3; ++plane) {
@@ -182,13 +189,16 @@ block_pixel block_rays::explain(int x, int y) {
   return p;
 }
 
-void block_rays::meet(ray& r, bool primary) {
+/// All groups; of a ray to the light, up to the first sphere nearer than r.best, but for its `own`.
+void block_rays::meet(ray& r, bool primary, int own) {
   const vec3 dir = r.dir;
   for (int first = 0; first < spheres_; first += knobs_.lanes) {
     const int last = std::min(first + knobs_.lanes, spheres_);
     std::array<int, 8> b;
     std::array<std::int64_t, 8> d;
     bool any = false;
+    ++n_.groups;
+    job_.clocks += primary ? 1 : 2;
     for (int n = first; n < last; ++n) {
       const auto s = static_cast<std::size_t>(n), lane = static_cast<std::size_t>(n - first);
       if (primary) {
@@ -201,6 +211,7 @@ void block_rays::meet(ray& r, bool primary) {
         b[lane] = dot(v[0], v[1], v[2], dir);
         d[lane] = std::int64_t{imul(b[lane], b[lane])} - inorm2(v) + radius2_[s];
       }
+      if (n == own) d[lane] = 0;
       any |= d[lane] > 0;
     }
     if (!any) {
@@ -209,22 +220,30 @@ void block_rays::meet(ray& r, bool primary) {
     }
     for (int n = first; n < last; ++n) {
       const auto lane = static_cast<std::size_t>(n - first);
-      if (d[lane] > 0) near(r, n, b[lane], d[lane]);
+      if (d[lane] > 0 && nearer(r, n, b[lane], d[lane]) && own >= 0) return;
     }
   }
-  n_.groups += static_cast<unsigned>(groups_);
-  job_.clocks += primary ? groups_ : 2 * groups_;
 }
 
-void block_rays::near(ray& r, int sphere, int b, std::int64_t d) {
+bool block_rays::in_shadow(const vec3& point, int own) {
+  const vec3 way = block_difference(world_.light, point);
+  ray r{unit(way), point, 0, -1};
+  r.best = idot(way, r.dir);
+  job_.clocks += knobs_.normalise_clocks() + 1;
+  meet(r, false, own);
+  return r.nearest >= 0;
+}
+
+bool block_rays::nearer(ray& r, int sphere, int b, std::int64_t d) {
   job_.clocks += knobs_.root_clocks();
   ++n_.roots;
   n_.root_out_of_range += d >> BlockRootBits != 0;
   const int t = wrap32(-std::int64_t{b} -
                        root_of(static_cast<int>(d) & low_bits(BlockRootBits), knobs_.root));
-  if (t <= 0 || t >= r.best) return;
+  if (t <= 0 || t >= r.best) return false;
   r.best = t;
   r.nearest = sphere;
+  return true;
 }
 
 vec3 block_rays::shade(ray& r) {

@@ -39,6 +39,8 @@ struct block_pass {
   int groups = 0, near = 0;  ///< clocks in GROUP and NEAR
   int sphere = -1;           ///< the nearest; -1: none
   int distance = 0;          ///< 12.20
+  int shadow = 0;            ///< clocks of the ray to the light
+  bool dark = false;         ///< it is stopped
   vec3 colour{};             ///< of the pixel so far, 12.20
 };
 
@@ -84,8 +86,9 @@ class block_rays {
   bool cone_keeps(const vec3& first);
   void clear(int x, int y, int rows);
   void pixel(const vec3& at);
-  void meet(ray& r, bool primary);
-  void near(ray& r, int sphere, int b, std::int64_t d);
+  void meet(ray& r, bool primary, int own = -1);
+  bool nearer(ray& r, int sphere, int b, std::int64_t d);
+  bool in_shadow(const vec3& point, int own);
   vec3 shade(ray& r);
   void store(int x, int y);
 

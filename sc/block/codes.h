@@ -42,7 +42,10 @@ enum block_state {
   BlockDecide = 8,
   BlockShade = 9,
   BlockStore = 10,
-  BlockWords = 11
+  BlockWords = 11,
+  BlockShadow = 12,
+  BlockShadowGroup = 13,
+  BlockShadowNear = 14
 };
 
 /// What counters are told of block_core besides its state.

@@ -42,8 +42,9 @@ std::vector<std::uint64_t> all(const Values& values) {
 }  // namespace
 
 std::vector<std::string> block_state_words() {
-  std::vector<std::string> words = {"IDLE",  "JOB",  "CORNER", "CULL",  "CLEAR", "PIXEL",
-                                    "GROUP", "NEAR", "DECIDE", "SHADE", "STORE", "WORDS"};
+  std::vector<std::string> words = {"IDLE",  "JOB",   "CORNER", "CULL",         "CLEAR",
+                                    "PIXEL", "GROUP", "NEAR",   "DECIDE",       "SHADE",
+                                    "STORE", "WORDS", "SHADOW", "SHADOW_GROUP", "SHADOW_NEAR"};
   for (int code = static_cast<int>(words.size()); code < 1 << BlockStateBits; ++code)
     words.push_back(std::to_string(code));
   return words;

@@ -22,6 +22,7 @@ struct block_knobs {
   int specular_squarings = 4;
   int max_passes = 3;
   int root = BlockRootTrick;
+  int shadow_rays = 0;
   int cull = BlockCullCorners;
   int background = 0;
   int fraction_bits = 20;

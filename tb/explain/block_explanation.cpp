@@ -75,6 +75,7 @@ struct Account {
       steps.push_back({"DECIDE", 1, "", ""});
       if (pass.sphere >= 0)
         steps.push_back({"SHADE", k.shade_clocks(), object(pass.sphere), colour_text(pass.colour)});
+      if (pass.shadow) steps.push_back({"SHADOW", pass.shadow, "", pass.dark ? "dark" : "lit"});
     }
     steps.push_back({"STORE", 1, "", ""});
   }

@@ -50,11 +50,14 @@ Vector BlockGolden::shade(Ray& ray, const Hit& hit) const {
   const block_ball& ball = tables_.balls[static_cast<std::size_t>(hit.sphere)];
   const Vector point = along(ray.from, ray.way, hit.t);
   const Vector normal = unit(along(point, number(ball.centre), -1));
-  const Vector lit = unit(along(number(tables_.light), point, -1));
+  const Vector to_light = along(number(tables_.light), point, -1), lit = unit(to_light);
   const double diffuse = std::max(dot(normal, lit), 0.0);
   const double shine = std::pow(std::max(dot(ray.way, along(lit, normal, -2 * diffuse)), 0.0),
                                 1 << knobs_.specular_squarings);
   ray = {point, along(ray.way, normal, -2 * dot(ray.way, normal)), hit.sphere};
+  if (knobs_.shadow_rays &&
+      nearest({point, lit, hit.sphere}).t < std::sqrt(dot(to_light, to_light)))
+    return {};
   return along({shine, shine, shine}, number(ball.colour), diffuse);
 }
 

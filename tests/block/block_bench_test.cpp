@@ -86,6 +86,13 @@ TEST(BlockBench, BothLevelsGiveTheSameWithConesAndAllDigits) {
   expect_levels_alike(small_program(), {1}, with_cone(BlockRootExact), {true});
 }
 
+TEST(BlockBench, BothLevelsGiveTheSameWithShadows) {
+  block_knobs k = with_cone(BlockRootHeron);
+  k.shadow_rays = 1;
+  k.lanes = 2;
+  expect_levels_alike(small_program(), {1}, k, {true});
+}
+
 TEST(BlockBench, TheBeamShowsACornerOfALargePicture) {
   block_knobs k;
   k.cores = 16;

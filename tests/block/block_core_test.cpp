@@ -48,16 +48,16 @@ struct Dut {
     bench.clock();
     bench["rst_ni"].drive(1);
     ready.drive(1);
-    bench.drive("eye", "_i", fixed_axes(QuadEye));
-    bench.drive("light", "_i", fixed_axes(QuadLight));
+    bench.drive("eye", "_i", fixed_axes(quad().eye));
+    bench.drive("light", "_i", fixed_axes(quad().light));
     bench.drive("start", "_i", quad_start());
     bench["ax_i"].drive(QuadStep);
     bench["ay_i"].drive(QuadStep);
-    bench["spheres_i"].drive(quad_spheres().size());
-    for (unsigned n = 0; n < quad_spheres().size(); ++n) {
-      const quad_sphere& s = quad_spheres()[n];
+    bench["spheres_i"].drive(quad().balls.size());
+    for (unsigned n = 0; n < quad().balls.size(); ++n) {
+      const block_ball& s = quad().balls[n];
       for (int k = 0; k < 3; ++k) {
-        write(n, BlockCentreX + k, f2i(s.centre[k]), f2i(QuadEye[k]));
+        write(n, BlockCentreX + k, f2i(s.centre[k]), f2i(quad().eye[k]));
         write(n, BlockRed + k, f2i(s.colour[k]));
       }
       write(n, BlockRadius, f2i(s.radius));
@@ -109,7 +109,8 @@ std::vector<Word> expected_words(int x, int y, bool cleared, const block_knobs& 
     Word all[3][2];
     for (int column = 0; column < BlockSide; ++column) {
       quad_pixel pixel{};
-      if (!cleared) pixel = draw_quad_pixel(x + column, row, k.max_passes, k.background);
+      if (!cleared)
+        pixel = draw_quad_pixel(x + column, row, k.max_passes, k.background, k.shadow_rays);
       for (int c = 0; c < 3; ++c) {
         Word& word = all[c][column / 8];
         const int channel =
@@ -225,6 +226,31 @@ TYPED_TEST(BlockCoreTest, OnePassShadesOnce) {
   EXPECT_EQ(d.clocks[BlockGroup], 256);
 }
 
+/// A block of sphere 0 that sphere 1 is between the light and.
+template <class Unit>
+void expect_shadows(int max_passes) {
+  constexpr int X = 256, Y = 192;
+  block_knobs k;
+  k.max_passes = max_passes;
+  k.shadow_rays = 1;
+  k.background = 0x102030;
+  Dut<Unit> d(k);
+  int clocks = 2 + 36 + 1 + 96, dark = 0;
+  for (int n = 0; n < BlockSide * BlockSide; ++n) {
+    const int x = X + n % BlockSide, y = Y + n / BlockSide;
+    const quad_pixel p = draw_quad_pixel(x, y, max_passes, k.background, true);
+    clocks += p.clocks;
+    dark += p.rgb != draw_quad_pixel(x, y, max_passes, k.background).rgb;
+  }
+  EXPECT_GT(dark, 0);
+  EXPECT_LT(dark, BlockSide * BlockSide);
+  EXPECT_EQ(d.draw(X, Y), clocks);
+  EXPECT_EQ(d.words, expected_words(X, Y, false, k));
+  EXPECT_EQ(d.clocks[BlockShadow], d.clocks[BlockShade] / 31 * 10);
+}
+TYPED_TEST(BlockCoreTest, WhatASphereIsInTheWayOfAddsNothing) { expect_shadows<TypeParam>(1); }
+TYPED_TEST(BlockCoreTest, MirrorsShowShadows) { expect_shadows<TypeParam>(3); }
+
 TYPED_TEST(BlockCoreTest, EightPassesShadeAllTheyHit) {
   block_knobs k;
   k.max_passes = 8;
@@ -274,7 +300,7 @@ void expect_corners(int lanes) {
   k.lanes = lanes;
   Dut<Unit> d(k);
   d.bench["spheres_i"].drive(1);
-  const vec3 eye = fixed_axes(QuadEye);
+  const vec3 eye = fixed_axes(quad().eye);
   constexpr int X = 320, Y = 240, Steps = BlockSide - 1, Radius2 = 0x1000;
   for (const int corner : {0, 1, 2, 3}) {
     vec3 way = quad_start();

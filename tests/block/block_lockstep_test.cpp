@@ -105,6 +105,15 @@ std::vector<Pair> pairs() {
         k.root = BlockRootExact;
         k.lanes = 1;
       }));
+  for (const int lanes : {2, 4})
+    add("block_core", with_knobs<block_core>, lanes == 2 ? "shadows_heron" : "shadows",
+        with([&](block_knobs& k) {
+          k.shadow_rays = 1;
+          k.max_passes = 8;
+          k.lanes = lanes;
+          k.cull = BlockCullOff;
+          k.root = lanes == 2 ? BlockRootHeron : BlockRootTrick;
+        }));
   return all;
 }
 

@@ -129,6 +129,19 @@ TEST(BlockRays, NothingIsSeenWithoutSpheres) {
   }
 }
 
+TEST(BlockRays, ALightThatNothingStandsBeforeCostsClocksOnly) {
+  block_knobs k;
+  block_tables tables = quad_tables();
+  tables.balls.resize(1);
+  const DrawnBlocks without(k, tables);
+  k.shadow_rays = 1;
+  const DrawnBlocks with(k, tables);
+  const std::uint64_t shades = all(without.counters().shades);
+  EXPECT_EQ(with.checksum(), without.checksum());
+  EXPECT_EQ(with.counters().busy_clocks - without.counters().busy_clocks, shades * (9 + 1 + 2));
+  EXPECT_EQ(with.counters().groups - without.counters().groups, shades);
+}
+
 TEST(BlockRays, LanesChangeTheClocksOnly) {
   const std::array<std::uint64_t, 2> rows[] = {{1, 3749278}, {2, 3364824}, {8, 3172601}};
   for (const auto& [lanes, clocks] : rows) {

@@ -59,13 +59,13 @@ class Dut {
   /// The world of quad; the clocks in which the chip took it.
   int load() {
     for (int k = 0; k < 3; ++k) {
-      put(BlockEyeX + k, QuadEye[k]);
-      put(BlockLightX + k, QuadLight[k]);
+      put(BlockEyeX + k, quad().eye[k]);
+      put(BlockLightX + k, quad().light[k]);
     }
-    put(BlockScreenWidth, QuadScreen[0]);
-    put(BlockScreenHeight, QuadScreen[1]);
-    for (unsigned n = 0; n < quad_spheres().size(); ++n) {
-      const quad_sphere& s = quad_spheres()[n];
+    put(BlockScreenWidth, quad().screen[0]);
+    put(BlockScreenHeight, quad().screen[1]);
+    for (unsigned n = 0; n < quad().balls.size(); ++n) {
+      const block_ball& s = quad().balls[n];
       for (int k = 0; k < 3; ++k) put(BlockCentreX + k, s.centre[k], n);
       put(BlockRadius, s.radius, n);
       for (int k = 0; k < 3; ++k) put(BlockRed + k, s.colour[k], n);

@@ -7,34 +7,27 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "sc/block/numbers.h"
+#include "tests/support/block_scenes.h"
 
 namespace racebeam {
 
-struct quad_sphere {
-  float centre[3], radius, colour[3];
-};
-inline const std::vector<quad_sphere>& quad_spheres() {
-  static const std::vector<quad_sphere> spheres = {{{0, 0, 6}, 2.5f, {0.25f, 0.75f, 0.5f}},
-                                                   {{-2, 1, 2}, 0.75f, {0.75f, 0.25f, 0.25f}},
-                                                   {{2, -1, 3}, 0.75f, {0.25f, 0.25f, 0.75f}},
-                                                   {{0.5f, 2, 1}, 0.75f, {0.75f, 0.75f, 0.25f}}};
-  return spheres;
+inline const block_tables& quad() {
+  static const block_tables tables = quad_tables();
+  return tables;
 }
-constexpr float QuadEye[] = {0, 0, -7}, QuadLight[] = {-8, 9, -9}, QuadScreen[] = {8, 6};
 constexpr int QuadStep = 0x3333;  // 8 / 640 and 6 / 480
 
-inline vec3 fixed_axes(const float (&v)[3]) { return {f2i(v[0]), f2i(v[1]), f2i(v[2])}; }
+inline vec3 fixed_axes(const std::array<float, 3>& v) { return {f2i(v[0]), f2i(v[1]), f2i(v[2])}; }
 /// Where block (0, 0) begins on the screen.
 inline vec3 quad_start() {
-  const vec3 eye = fixed_axes(QuadEye);
-  return {-f2i(QuadScreen[0]) / 2 - eye[0], f2i(QuadScreen[1]) / 2 - eye[1], -eye[2]};
+  const vec3 eye = fixed_axes(quad().eye);
+  return {-f2i(quad().screen[0]) / 2 - eye[0], f2i(quad().screen[1]) / 2 - eye[1], -eye[2]};
 }
-inline int quad_radius2(const quad_sphere& s) { return imul(f2i(s.radius), f2i(s.radius)); }
-inline int quad_rv(const quad_sphere& s) {
-  return quad_radius2(s) - inorm2(block_difference(fixed_axes(QuadEye), fixed_axes(s.centre)));
+inline int quad_radius2(const block_ball& s) { return imul(f2i(s.radius), f2i(s.radius)); }
+inline int quad_rv(const block_ball& s) {
+  return quad_radius2(s) - inorm2(block_difference(fixed_axes(quad().eye), fixed_axes(s.centre)));
 }
 
 /// The channels of pixel (x, y), and the clocks from PIXEL to STORE with four lanes.
@@ -42,18 +35,19 @@ struct quad_pixel {
   std::array<int, 3> rgb;
   int clocks;
 };
-inline quad_pixel draw_quad_pixel(int x, int y, int passes = 3, int background = 0) {
+inline quad_pixel draw_quad_pixel(int x, int y, int passes = 3, int background = 0,
+                                  bool shadow_rays = false) {
   const int one = 1 << BlockFraction;
   vec3 at = quad_start();
   at[0] += x * QuadStep;
   at[1] -= y * QuadStep;
-  vec3 position = fixed_axes(QuadEye), dir = inormalize(at, 2), colour{};
+  vec3 position = fixed_axes(quad().eye), dir = inormalize(at, 2), colour{};
   int clocks = 9, pass = 0;
   for (; pass < passes; ++pass) {
     int best = BlockFar << BlockFraction;
-    const quad_sphere* hit = nullptr;
+    const block_ball* hit = nullptr;
     clocks += pass == 0 ? 1 : 2;
-    for (const quad_sphere& s : quad_spheres()) {
+    for (const block_ball& s : quad().balls) {
       const vec3 way = block_difference(position, fixed_axes(s.centre));
       const int b = idot(way, dir);
       const int d = imul(b, b) - inorm2(way) + quad_radius2(s);
@@ -69,12 +63,29 @@ inline quad_pixel draw_quad_pixel(int x, int y, int passes = 3, int background =
     clocks += 13 + 2 * 9;
     position = block_sum(position, imul(dir, best));
     const vec3 normal = inormalize(block_difference(position, fixed_axes(hit->centre)), 2);
-    const vec3 light = inormalize(block_difference(fixed_axes(QuadLight), position), 2);
+    const vec3 to_light = block_difference(fixed_axes(quad().light), position);
+    const vec3 light = inormalize(to_light, 2);
     const int diffuse = std::max(idot(normal, light), 0);
     int bright =
         std::max(idot(dir, block_difference(light, imul(normal, imul(diffuse, 2 * one)))), 0);
     for (int n = 0; n < 4; ++n) bright = imul(bright, bright);
-    for (int k = 0; k < 3; ++k) colour[k] += imul(f2i(hit->colour[k]), diffuse) + bright;
+    bool dark = false;
+    if (shadow_rays) {
+      const int length = idot(to_light, light);
+      clocks += 9 + 1 + 2;
+      for (const block_ball& s : quad().balls) {
+        if (&s == hit || dark) continue;
+        const vec3 way = block_difference(position, fixed_axes(s.centre));
+        const int b = idot(way, light);
+        const int d = imul(b, b) - inorm2(way) + quad_radius2(s);
+        if (d <= 0) continue;
+        ++clocks;
+        const int t = -b - isqrt(d);
+        dark = t > 0 && t < length;
+      }
+    }
+    for (std::size_t k = 0; k < 3 && !dark; ++k)
+      colour[k] += imul(f2i(hit->colour[k]), diffuse) + bright;
     dir = block_difference(dir, imul(normal, imul(idot(dir, normal), 2 * one)));
   }
   quad_pixel out{{}, clocks + 1};

@@ -108,5 +108,19 @@ TEST(BlockGolden, CornersClearMoreBlocksOfFortyThanACone) {
   EXPECT_EQ(cone.checksum(), one_pass.checksum());
 }
 
+TEST(BlockGolden, ShadowsAreWhereTheyBelong) {
+  block_knobs k;
+  k.max_passes = 1;
+  const block_tables tables = quad_tables();
+  const DrawnBlocks lit(k, tables);
+  k.shadow_rays = 1;
+  k.root = BlockRootHeron;
+  const DrawnBlocks drawn(k, tables);
+  EXPECT_NE(drawn.checksum(), lit.checksum());
+  const Difference d = difference(k, tables, drawn);
+  EXPECT_LE(d.by_more_than_2, 1);
+  EXPECT_LE(d.by_more_than_16, 0.2);
+}
+
 }  // namespace
 }  // namespace racebeam
