@@ -196,9 +196,7 @@ module block_core #(
         .d_o(d[n*LongBits+:LongBits])
     );
     assign crossed[n] = !d[n*LongBits+LongBits-1] && d[n*LongBits+:LongBits] != '0;
-    wire index at = index_q << LaneBits | IndexBits'(n);
-    assign exists[n] = (32'(index_q) << LaneBits) + n < 32'(spheres_i)
-        && !(meets_light && at == nearest_q);
+    assign exists[n] = (32'(index_q) << LaneBits) + n < 32'(spheres_i);
   end
 
   logic keeps;
@@ -217,7 +215,9 @@ module block_core #(
   end else begin : g_corners
     assign keeps = crossed[CornerLanes-1:0] != '0;
   end
-  wire logic [Lanes-1:0] hits = crossed & exists;
+  wire logic [Lanes-1:0] own =  // of a ray to the light
+      meets_light && index_q == nearest_q >> LaneBits ? Lanes'(1) << chosen : '0;
+  wire logic [Lanes-1:0] hits = crossed & exists & ~own;
   wire logic last_sphere = 32'(index_q) + 1 >= 32'(spheres_i);
   wire logic last_group = (32'(index_q) + 1) << LaneBits >= 32'(spheres_i);
   wire logic none = spheres_i == '0;

@@ -203,7 +203,7 @@ void block_core_core::group(const inputs& in, const block_knobs& k) {
     d_q[lane] = static_cast<int>(o.d & low_bits(BlockRootBits));
     over_q |= (o.d >> BlockRootBits != 0) << n;
     const int at = index_q * k.lanes + n;
-    if (o.d > 0 && at < in.spheres && (at & (BlockEntries - 1)) != own) pending |= 1 << n;
+    if (o.d > 0 && at < in.spheres && at != own) pending |= 1 << n;
   }
   if (!first && !second) {
     step_q = 1;
