@@ -74,8 +74,8 @@ std::unique_ptr<FrameJudge> make_sphere_frame_judge(const Show& show, const Bloc
 std::unique_ptr<FrameJudge> make_block_frame_judge(const Show& show, const Block& block) {
   return std::make_unique<PictureFrameJudge>(
       show, block,
-      std::vector<const char*>{"max_passes", "specular_squarings", "background", "size",
-                               "time_skip", "load_bar"});
+      std::vector<const char*>{"max_passes", "specular_squarings", "shadow_rays", "background",
+                               "size", "time_skip", "load_bar"});
 }
 
 }  // namespace racebeam
