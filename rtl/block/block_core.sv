@@ -128,86 +128,55 @@ module block_core #(
   wire index group = in_cull ? index_q >> LaneBits : in_shade ? nearest_q >> LaneBits : index_q;
   wire index chosen = (in_cull ? index_q : nearest_q) & IndexBits'(Lanes - 1);
   wire logic secondary = in_group && step_q;
-  wire logic [Lanes*3*Bits-1:0] poses, centres, bases;
-  wire logic [Lanes*Bits-1:0] rvs, b;
+  wire logic [Lanes*Bits-1:0] b;
   wire logic [Lanes*LongBits-1:0] d;
   wire logic [Lanes-1:0] crossed;  // d > 0
-  wire logic [Lanes-1:0] exists;
-  wire logic [3*Bits-1:0] pose = poses[32'(chosen)*3*Bits+:3*Bits];
-  wire logic [3*Bits-1:0] centre = centres[32'(chosen)*3*Bits+:3*Bits];
-  wire logic [3*Bits-1:0] base = bases[32'(chosen)*3*Bits+:3*Bits];
-  wire block_pkg::number rv = rvs[32'(chosen)*Bits+:Bits];
+  wire block_pkg::axes centre, base;
   /* verilator lint_off UNUSEDSIGNAL */  // of cull = cone
-  wire logic [Lanes*Bits-1:0] radii, squares;
+  wire block_pkg::number radius, radius2;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  for (genvar n = 0; n < Lanes; n++) begin : g_lane
-    wire block_pkg::axes own_pose, own_centre, own_base, a, ray;
-    wire block_pkg::number own_rv, radius2, k;
-    wire logic [1:0] corner = corner_q + 2'(n);
-    wire logic writes = write_i && (index_i & IndexBits'(Lanes - 1)) == IndexBits'(n);
+  block_lanes #(
+      .Lanes(Lanes)
+  ) u_block_lanes (
+      .clk_i(clk_i),
+      .write_i(write_i),
+      .field_i(field_i),
+      .index_i(index_i),
+      .value_i(value_i),
+      .eye_k_i(eye_k_i),
+      .group_i(group),
+      .chosen_i(chosen),
+      .culls_i(in_cull),
+      .measures_i(in_shadow),
+      .first_pass_i(first_pass),
+      .secondary_i(secondary),
+      .corner_i(corner_q),
+      .corners_i(corners_q),
+      .to_light_i(to_light),
+      .position_i(position_q),
+      .dir_i(meets_light ? lit_q : dir_q),
+      .b_o(b),
+      .d_o(d),
+      .crossed_o(crossed),
+      .centre_o(centre),
+      .base_o(base),
+      .radius_o(radius),
+      .radius2_o(radius2)
+  );
 
-    block_spheres #(
-        .Lanes(Lanes)
-    ) u_block_spheres (
-        .clk_i(clk_i),
-        .write_i(writes),
-        .field_i(field_i),
-        .index_i(index_i >> LaneBits),
-        .value_i(value_i),
-        .eye_k_i(eye_k_i),
-        .group_i(group),
-        .pose_x_o(own_pose[2*Bits+:Bits]),
-        .pose_y_o(own_pose[Bits+:Bits]),
-        .pose_z_o(own_pose[0+:Bits]),
-        .rv_o(own_rv),
-        .centre_x_o(own_centre[2*Bits+:Bits]),
-        .centre_y_o(own_centre[Bits+:Bits]),
-        .centre_z_o(own_centre[0+:Bits]),
-        .radius_o(radii[n*Bits+:Bits]),
-        .radius2_o(radius2),
-        .red_o(own_base[2*Bits+:Bits]),
-        .green_o(own_base[Bits+:Bits]),
-        .blue_o(own_base[0+:Bits])
-    );
-    assign poses[n*3*Bits+:3*Bits] = own_pose;
-    assign centres[n*3*Bits+:3*Bits] = own_centre;
-    assign bases[n*3*Bits+:3*Bits] = own_base;
-    assign rvs[n*Bits+:Bits] = own_rv;
-    assign squares[n*Bits+:Bits] = radius2;
-
-    assign a = in_cull ? pose : in_shadow ? to_light
-               : first_pass ? own_pose : block_pkg::difference_of(position_q, own_centre);
-    assign ray = in_cull ? corners_q[32'(corner)*3*Bits+:3*Bits]
-                 : meets_light ? lit_q : dir_q;
-    assign k = in_cull ? rv : first_pass ? own_rv : radius2;
-
-    block_lane u_block_lane (
-        .clk_i(clk_i),
-        .secondary_i(secondary),
-        .a_x_i(a[2*Bits+:Bits]),
-        .a_y_i(a[Bits+:Bits]),
-        .a_z_i(a[0+:Bits]),
-        .dir_x_i(ray[2*Bits+:Bits]),
-        .dir_y_i(ray[Bits+:Bits]),
-        .dir_z_i(ray[0+:Bits]),
-        .k_i(k),
-        .b_o(b[n*Bits+:Bits]),
-        .d_o(d[n*LongBits+:LongBits])
-    );
-    assign crossed[n] = !d[n*LongBits+LongBits-1] && d[n*LongBits+:LongBits] != '0;
+  logic [Lanes-1:0] exists;
+  for (genvar n = 0; n < Lanes; n++) begin : g_exists
     assign exists[n] = (32'(index_q) << LaneBits) + n < 32'(spheres_i);
   end
 
   logic keeps;
   if (Cull == 1) begin : g_cone
-    wire block_pkg::number radius = radii[32'(chosen)*Bits+:Bits];
-    wire block_pkg::number square = squares[32'(chosen)*Bits+:Bits];
     wire block_pkg::number ahead = -b[0+:Bits];
     wire block_pkg::product ahead_sine = ahead * $signed(cone_sine_i);
     wire block_pkg::number reach =
         radius + block_pkg::BlockConeSlack + block_pkg::fixed_of(ahead_sine);
-    wire block_pkg::number beside2 = square - d[0+:Bits];
+    wire block_pkg::number beside2 = radius2 - d[0+:Bits];
     wire block_pkg::product beside_cosine = beside2 * $signed(cone_cosine2_i);
     wire block_pkg::product reach2 = reach * reach;
     assign keeps = !reach[Bits-1]
