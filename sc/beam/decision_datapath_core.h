@@ -101,6 +101,8 @@ struct decision_datapath_core {
     return portal_q << TagBits | depth_q << LevelBits | level_q;
   }
   /// Rooms entered on the way to room_q, which changes a clock before depth_q does.
+  /// The room is one behind the opening that was asked about last, or would have been.
+  bool is_behind() const { return level_q != 7 || second_q; }
   int rooms_entered() const { return depth_q + (second_q && descend_q && level_q == 7); }
   /// Bits of the decision that count: the three signs at the top of the tree, else the bit.
   [[gnu::always_inline]] int mask() const { return depth_q == 0 && level_q < 4 ? 14 : 1; }

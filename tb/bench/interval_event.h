@@ -19,6 +19,7 @@ struct IntervalEvent {
   int depth;      ///< rooms entered
   int room;       ///< the last one entered
   int face;       ///< axis of the face hit, 0..2
+  bool behind;    ///< the room is one behind an opening of that wall, the last one asked about
   bool wall;      ///< a wall was hit; else it was given up, as the beam was starving
 
   bool known() const { return clock != Never; }

@@ -31,9 +31,10 @@ class IntervalWatcher {
   std::vector<IntervalEvent> events_;
   int clock_ = 0;  // of the line
   bool visible_ = false;
-  int next_ = 0;       // first pixel of the line that is not known
-  int decisions_ = 0;  // since the last interval
-  bool wall_ = false;  // the interval on offer hit one
+  int next_ = 0;         // first pixel of the line that is not known
+  int decisions_ = 0;    // since the last interval
+  bool wall_ = false;    // the interval on offer hit one
+  bool behind_ = false;  // as IntervalEvent has it
 };
 
 }  // namespace racebeam

@@ -37,7 +37,7 @@ bool enters(const Box& next, const GoldenVector& ray, int face, double left) {
 
 }  // namespace
 
-GoldenHit geometry(const GoldenWorld& world, const GoldenVector& ray, int offset_z) {
+GoldenEnd geometry_end(const GoldenWorld& world, const GoldenVector& ray, int offset_z) {
   const GoldenRoom* room = &world.rooms.front();
   for (int depth = 0;; ++depth) {
     const Box box(*room, offset_z);
@@ -54,9 +54,13 @@ GoldenHit geometry(const GoldenWorld& world, const GoldenVector& ray, int offset
       for (const int next : room->neighbours[golden_face(face, hit.negative)])
         if (!entered && enters({world.rooms[next], offset_z}, ray, face, nearest))
           entered = &world.rooms[next];
-    if (!entered) return hit;
+    if (!entered) return {hit, static_cast<int>(room - world.rooms.data()), depth};
     room = entered;
   }
+}
+
+GoldenHit geometry(const GoldenWorld& world, const GoldenVector& ray, int offset_z) {
+  return geometry_end(world, ray, offset_z).hit;
 }
 
 GoldenHits geometry_line(const GoldenWorld& world, const GoldenIdeal& camera, int y) {

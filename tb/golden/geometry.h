@@ -12,7 +12,10 @@
 
 namespace racebeam {
 
-/// What a ray hits in a world whose rooms are moved by `offset_z`.
+/// Where a ray ends in a world whose rooms are moved by `offset_z`.
+GoldenEnd geometry_end(const GoldenWorld& world, const GoldenVector& ray, int offset_z);
+
+/// What it hits.
 GoldenHit geometry(const GoldenWorld& world, const GoldenVector& ray, int offset_z);
 
 /// All pixels of line `y`.

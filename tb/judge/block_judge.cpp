@@ -25,8 +25,9 @@ std::array<int, 3> levels(const BlockGolden& golden, int x, int y) {
   return cut;
 }
 
-/// What the cores' rays of all pixels meet first, row by row.
-std::vector<int> first_hits(const block_tables& tables, block_knobs k) {
+}  // namespace
+
+std::vector<int> block_first_hits(const block_tables& tables, block_knobs k) {
   k.max_passes = 1;
   block_rays rays(k, converted(tables, k));
   std::vector<int> hits(static_cast<std::size_t>(k.columns() * k.rows()));
@@ -41,8 +42,6 @@ std::vector<int> first_hits(const block_tables& tables, block_knobs k) {
     }
   return hits;
 }
-
-}  // namespace
 
 VgaFrame block_golden_picture(const scene_tables* scene, const knob_values& values, int picture) {
   const block_knobs k = values;
@@ -69,7 +68,7 @@ PictureErrors block_golden_errors(const scene_tables* scene, const knob_values& 
 BlockErrors block_errors(const block_tables& tables, const block_knobs& k,
                          const PackedPicture& chip, int step) {
   const BlockGolden golden(k, tables);
-  const std::vector<int> hits = first_hits(tables, k);
+  const std::vector<int> hits = block_first_hits(tables, k);
   BlockErrors errors;
   errors.all.most = Levels - 1;
   for (int y = 0; y < chip.height; y += step)

@@ -16,6 +16,9 @@ struct BlockErrors {
   std::uint64_t by_more_than_2 = 0, by_more_than_16 = 0;  ///< pixels, in some channel
 };
 
+/// What the cores' rays of all pixels meet first, row by row: a sphere, or -1.
+std::vector<int> block_first_hits(const block_tables& tables, block_knobs k);
+
 /// As GoldenKind has them. `scene`: a BlockProgram, or nullptr: the scene that is built in.
 VgaFrame block_golden_picture(const scene_tables* scene, const knob_values& k, int picture);
 PictureErrors block_golden_errors(const scene_tables* scene, const knob_values& k, int picture,

@@ -196,6 +196,12 @@ void add_options(const CommandOptions& command, RenderOptions& options) {
       .type_name("TRACER")
       .check(not_empty);
   command
+      .add_option("--show", options.show,
+                  "picture (default); hits: what each pixel's ray meets first, a colour for each "
+                  "wall, sphere or plane, of the chip or of --golden geometry")
+      .type_name("WHAT")
+      .check(not_empty);
+  command
       .add_option("--overlay", options.overlays,
                   "slack, cost, depth: also maps of how early each pixel was known, what it cost, "
                   "how many rooms deep it looks: overlay_slack_0000.png ...; several with commas")

@@ -6,6 +6,7 @@
 
 #include "tb/bench/benches.h"
 #include "tb/judge/goldens.h"
+#include "tb/judge/hit_maps.h"
 #include "tb/monitor/raster.h"
 #include "tb/view/map_picture.h"
 
@@ -17,7 +18,7 @@ std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
   const engine& built = plan.show.engine();
   return bench_of(built).make(plan.level,
                               {built, plan.k, plan.show.tables(), plan.show.frames(), plan.units},
-                              {plan.checksums(), sound, !plan.overlays.empty()});
+                              {plan.checksums(), sound, !plan.overlays.empty() || plan.hits});
 }
 
 PictureFile overlay_file(const RenderPlan& plan, MapKind kind, const ChipBench::Frame& frame) {
@@ -57,7 +58,9 @@ void FrameRenderer::finish() {
 
 RenderedFrame FrameRenderer::render(int index) {
   bench_->seek(plan_.frames.number(index));
-  const ChipBench::Frame frame = bench_->render();
+  ChipBench::Frame frame = bench_->render();
+  if (plan_.hits)
+    show_hits(frame.picture, hits_of(plan_.show.engine()).chip(plan_.show, plan_.k, frame));
   RenderedFrame rendered{frame.number, frame.picture, *frame.stats, {}, {}, frame.time};
   if (plan_.pictures()) rendered.files.push_back(picture_file(plan_, frame.number, frame.picture));
   for (const MapKind kind : plan_.overlays)

@@ -10,6 +10,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/progress.h"
 #include "tb/judge/goldens.h"
+#include "tb/judge/hit_maps.h"
 #include "tb/render/frame_sequence.h"
 #include "tb/render/render_files.h"
 #include "tb/report/tracer_table.h"
@@ -23,6 +24,12 @@ RenderedFrame render_frame(const RenderPlan& plan, int index) {
   RenderedFrame rendered;
   const int frame = rendered.number = plan.frames.number(index);
   VgaFrame& picture = rendered.picture;
+  if (plan.hits) {
+    show_hits(picture, hits_of(plan.show.engine()).golden(plan.show, plan.k, frame));
+    if (!golden_of(plan.show.engine())) rendered.stats = counted(*plan.tracer, {});
+    if (plan.pictures()) rendered.files.push_back(picture_file(plan, frame, picture));
+    return rendered;
+  }
   if (const GoldenKind* const golden = golden_of(plan.show.engine())) {
     picture = golden->picture(plan.show.tables(), plan.k, frame);
     if (plan.pictures()) rendered.files.push_back(picture_file(plan, frame, picture));

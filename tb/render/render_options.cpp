@@ -136,6 +136,20 @@ void check_engine(const RenderOptions& options, const RenderPlan& plan) {
                     options.golden, built.name));
 }
 
+// Maps have no checksums, and there is one golden map.
+void check_show(const RenderOptions& options, RenderPlan& plan) {
+  if (options.show.empty()) return;
+  check_known("picture", options.show, {ShowPicture, ShowHits});
+  plan.hits = options.show == ShowHits;
+  if (!plan.hits) return;
+  if (plan.against || plan.compare)
+    throw UsageError(fmt::format("--show hits draws no colours that could be compared; leave out "
+                                 "{}, or see `racebeam compare`",
+                                 plan.against ? "--against" : "--golden compare"));
+  if (plan.tracer && *plan.tracer != GoldenTracer::Geometry)
+    throw UsageError("--show hits has one golden map: --golden geometry");
+}
+
 // What several processes cannot do.
 void check_jobs(const RenderPlan& plan) {
   if (plan.jobs == 1) return;
@@ -255,6 +269,7 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (plan.tracer && plan.against)
     throw UsageError("--against needs the chip; leave out --golden, or --against");
   check_engine(options, plan);
+  check_show(options, plan);
   check_sound(plan);
   check_wave(plan);
   check_jobs(plan);

@@ -22,6 +22,8 @@ namespace racebeam {
 
 /// Instead of a golden tracer: chip and tracers compared.
 constexpr const char* Compare = "compare";
+/// What a picture may show.
+constexpr const char *ShowPicture = "picture", *ShowHits = "hits";
 
 /// The command line as it was written. An empty path: not asked for.
 struct RenderOptions : RunOptions, TtOptions {
@@ -33,6 +35,7 @@ struct RenderOptions : RunOptions, TtOptions {
   std::string vcd;                    ///< waveform
   std::vector<std::string> overlays;  ///< names of maps
   std::string golden;                 ///< a golden tracer, "compare", or empty
+  std::string show;                   ///< picture, hits, or empty
   std::string against;                ///< a reference to compare with, or empty
   bool crc = false, json = false;
   bool overwrite = false;            ///< the folder may have frames of another render
@@ -69,6 +72,7 @@ struct OutputPlan {
 struct RenderPlan : Run, OutputPlan {
   std::optional<GoldenTracer> tracer;                ///< renders instead of the chip
   bool compare;                                      ///< the chip with the golden tracers
+  bool hits = false;                                 ///< hit maps instead of pictures
   std::map<std::string, ManifestUnit> unit_files{};  ///< what the units are made of
 
   /// What it is about.

@@ -160,8 +160,8 @@ TEST_P(ChipObservedTwice, TellsTheSameWhetherThePinsAreWantedOrNot) {
     for (int i = 0; i < FrameLines; ++i) chip->run_line();
   }
   const auto all = [](const taken_interval& i) {
-    return std::tie(i.y, i.clock, i.first, i.last, i.value, i.room, i.depth, i.face, i.given_up,
-                    i.decisions);
+    return std::tie(i.y, i.clock, i.first, i.last, i.value, i.room, i.depth, i.face, i.behind,
+                    i.given_up, i.decisions);
   };
   ASSERT_EQ(fast.intervals.size(), slow.intervals.size());
   for (std::size_t i = 0; i < fast.intervals.size(); ++i)

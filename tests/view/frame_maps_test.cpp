@@ -146,7 +146,8 @@ TEST_P(FrameMapsTest, OnlyGivenUpIntervalsHaveNoWall) {
 std::string text(const IntervalEvent& e) {
   std::ostringstream out;
   out << e.y << ' ' << e.from << ".." << e.to << " clock " << e.clock << " cost " << e.decisions
-      << " depth " << e.depth << " room " << e.room << " face " << e.face << " wall " << e.wall;
+      << " depth " << e.depth << " room " << e.room << " face " << e.face << " behind " << e.behind
+      << " wall " << e.wall;
   return out.str();
 }
 

@@ -76,12 +76,15 @@ void chip_lines::observe(const chip_core& before, const chip_view& v, int clock)
   started_ = true;
   if (y_ != LastLine) rooms_told_.tell(observer, y_, clock, before.decision_datapath);
   const bool in_return = v.state == StateReturn;
-  if (v.emit && !in_return) given_up_ = !v.wall;
+  if (v.emit && !in_return) {
+    given_up_ = !v.wall;
+    behind_ = before.decision_datapath.is_behind();
+  }
   if (v.emit && v.ack)
     observer.interval({y_, clock, before.subdivider.i1_q, v.i2,
                        chip_.interval_fifo.head_value_q & IndexMask,
                        before.decision_datapath.room_q, before.decision_datapath.depth_q,
-                       before.decision_datapath.hit_face_q, given_up_, decisions_});
+                       before.decision_datapath.hit_face_q, behind_, given_up_, decisions_});
   if (v.restart && v.i2 != LastPixel) observer.restart(y_, clock, v.i2 + 1);
   const bool adjusting = v.state == StateLeft && v.idx2 != v.i2;
   if (!in_return && !v.emit && !v.second && !adjusting) ++decisions_;

@@ -108,6 +108,7 @@ class chip_lines {
   int column_ = 0;                     // next column to be shown
   int decisions_ = 0;                  // of this line
   bool given_up_ = false;              // what is on offer has no wall
+  bool behind_ = false;                // and the room is one behind an opening
   bool started_ = false;               // the tracer, on this line
   room_teller rooms_told_;             // of this line
   std::vector<std::uint8_t> indices_;  // display index per clock, if the pins are wanted

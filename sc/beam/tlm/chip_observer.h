@@ -17,6 +17,8 @@ struct taken_interval {
   int value;        ///< colour index, 0..3; checkered, the lower one of two
   int room, depth;  ///< room that the tracer is in, rooms entered on the way to it
   int face;         ///< axis of the wall hit; of an earlier hit if given up
+  bool behind;      ///< the room is one behind an opening of that wall, which was missed or is not
+                    ///< looked through any more
   bool given_up;    ///< no wall: the hurry rule ended it for a starving beam
   int decisions;    ///< LEFT, RIGHT and BISECT ones of this line so far
 };

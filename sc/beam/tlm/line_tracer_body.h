@@ -25,6 +25,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
   int walk = 0, stack = 0, colour_before = 0;
   tracer_round round;
   bool given_up = false;
+  bool behind = false;
   int column = line.raster.columns_before[t];  // Pattern: the next to be shown
   const room_row* here = &scene_rom_core::row(line.rooms, place.room_q & line.room_mask);
   if constexpr (Watch) {  // so that without it the compiler's choices stay as they are
@@ -95,6 +96,7 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
       if (!InReturn) {
         ++counts.returns;
         given_up = !in.wall;
+        if (Watch) behind = place.is_behind();
         counts.give_ups += given_up;
       }
       if (in.ack) {
@@ -106,7 +108,8 @@ line_counts trace_line(chip_core& chip, line_beam& beam, const line_setting& lin
         if (counts.first_emit < 0) counts.first_emit = t;
         if (Watch)
           line.observer->interval({line.y, t, sub.i1_q, sub.i2_q, value & IndexMask, place.room_q,
-                                   place.depth_q, place.hit_face_q, given_up, counts.decisions()});
+                                   place.depth_q, place.hit_face_q, behind, given_up,
+                                   counts.decisions()});
       } else {
         ++counts.stalls;
       }
