@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/scene_kinds.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -32,6 +33,31 @@ const SceneKind* kind_of(const TomlNode& root, const std::vector<SceneKind>& kin
   return read_word(*named, "engine", names, number, faults) ? &kinds[number] : nullptr;
 }
 
+constexpr const char* For = "for";
+
+/// What [for.ENGINE] has goes to the top; what is for other engines goes away.
+void take_own_tables(TomlNode& root, const std::string& name, const std::vector<SceneKind>& kinds,
+                     Faults& faults) {
+  const auto at = std::find_if(root.entries.begin(), root.entries.end(),
+                               [](const TomlEntry& entry) { return entry.key == For; });
+  if (at == root.entries.end()) return;
+  const TomlNode all = std::move(at->value);
+  root.entries.erase(at);
+  if (all.kind != TomlNode::Table)
+    return faults.add(all.place, "'for' is no table", "write [for.block], and its keys below");
+  for (const TomlEntry& entry : all.entries) {
+    const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const SceneKind& kind) {
+      return entry.key == kind.engine.name;
+    });
+    if (!known || entry.value.kind != TomlNode::Table)
+      faults.add(entry.place, "'for' has no table for an engine " + racebeam::quoted(entry.key),
+                 "write [for.block], or the name of another engine");
+    else if (entry.key == name)
+      root.entries.insert(root.entries.end(), entry.value.entries.begin(),
+                          entry.value.entries.end());
+  }
+}
+
 }  // namespace
 
 const std::vector<SceneKind>& scene_kinds() {
@@ -49,20 +75,23 @@ const SceneKind& scene_kind_of(const engine& shown) {
 }
 
 AnySceneResult read_any_scene(std::string_view text, const std::string& name,
-                              const std::vector<SceneKind>& kinds) {
+                              const std::vector<SceneKind>& kinds, const engine* shown) {
   AnySceneResult result;
-  const std::optional<TomlNode> root = parse_toml(text, result.faults);
+  std::optional<TomlNode> root = parse_toml(text, result.faults);
   if (!root) return result;
-  if (const SceneKind* const kind = kind_of(*root, kinds, result.faults))
-    result.scene = kind->read({*root, text, name}, result.faults);
+  const SceneKind* const kind =
+      shown ? &scene_kind_of(*shown) : kind_of(*root, kinds, result.faults);
+  if (!kind) return result;
+  take_own_tables(*root, kind->engine.name, kinds, result.faults);
+  if (result.faults.none()) result.scene = kind->read({*root, text, name}, result.faults);
   return result;
 }
 
-AnySceneResult read_any_scene_file(const std::string& path) {
+AnySceneResult read_any_scene_file(const std::string& path, const engine* shown) {
   AnySceneResult result;
   std::optional<std::string> text = read_input_file(path, "scene", result.faults);
   if (!text) return result;
-  result = read_any_scene(*text, std::filesystem::path(path).stem().string());
+  result = read_any_scene(*text, std::filesystem::path(path).stem().string(), scene_kinds(), shown);
   result.text = std::move(*text);
   return result;
 }

@@ -45,11 +45,14 @@ struct AnySceneResult {
   std::string text{};  ///< of a file that could be read
 };
 
-/// Reads and checks a scene of any kind from its text.
+/// Reads and checks a scene of any kind from its text; `shown` as below.
 AnySceneResult read_any_scene(std::string_view text, const std::string& name,
-                              const std::vector<SceneKind>& kinds = scene_kinds());
+                              const std::vector<SceneKind>& kinds = scene_kinds(),
+                              const engine* shown = nullptr);
 
-/// The same from a file; a file that cannot be read is a fault too.
-AnySceneResult read_any_scene_file(const std::string& path);
+/// The same from a file; a file that cannot be read is a fault too. `shown`: what shows it,
+/// whatever engine the file names; with the tables in [for.ENGINE], which are read as if they stood
+/// at the top.
+AnySceneResult read_any_scene_file(const std::string& path, const engine* shown = nullptr);
 
 }  // namespace racebeam

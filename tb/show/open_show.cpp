@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/show/open_show.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -100,6 +102,23 @@ Show open_show(const std::string& scene) {
   if (scene == BuiltIn) return {};
   AnySceneResult result = load(scene);
   return {std::move(result.scene), content_hash(result.text)};
+}
+
+std::optional<Show> open_show_for(const engine& shown, const std::string& scene, std::string& why) {
+  if (scene == BuiltIn) {
+    if (&shown == engines().front()) return Show();
+    why = std::string("demo is built into ") + engines().front()->name;
+    return {};
+  }
+  const std::string file = scene_path(scene);
+  std::error_code error;
+  if (!fs::exists(file, error)) throw unknown_name("scene", scene, known_scenes(scene));
+  AnySceneResult result = read_any_scene_file(file, &shown);
+  if (result.faults.none()) return Show(std::move(result.scene), content_hash(result.text));
+  const Fault& first = result.faults.kept().front();
+  why = fmt::format("{}:{}:{}: {}", fs::path(file).filename().string(), first.place.line,
+                    first.place.column, first.what);
+  return {};
 }
 
 const engine& engine_named(const std::string& name) {

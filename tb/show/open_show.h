@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ SceneFile load_scene(const std::string& file, const std::string& what);
 /// "demo": the built-in demo; else a scene file, found by scene_path(). Throws UsageError as
 /// load_any_scene does.
 Show open_show(const std::string& scene);
+
+/// A scene as another engine shows it; nullopt if it cannot, with the first reason in `why`.
+/// "demo": what the first engine has built in. Throws UsageError if there is no such file.
+std::optional<Show> open_show_for(const engine& shown, const std::string& scene, std::string& why);
 
 /// Throws UsageError if a show is not of box rooms, which `what` needs: "--golden".
 void expect_rooms(const Show& show, const std::string& what);
