@@ -24,6 +24,10 @@ double one_bit(double value, double bit) {
   return std::fabs(std::fmod(std::floor(value * std::exp2(-std::trunc(bit))), 2));
 }
 
+double rounded_up(double value) { return std::ceil(value); }
+
+double logarithm(double value) { return std::log10(value); }
+
 double logical_not(double value) { return value == 0; }
 
 // "0x1f" at the start of `text`.
@@ -55,6 +59,8 @@ struct Expression::Parser {
     parser.ClearFun();
     parser.DefineInfixOprt("!", logical_not);
     parser.DefineFun("bit", one_bit);
+    parser.DefineFun("ceil", rounded_up);
+    parser.DefineFun("log10", logarithm);
     parser.AddValIdent(hexadecimal);
     parser.SetVarFactory(make, this);
     parser.SetExpr(with_numbers(text));
@@ -125,6 +131,8 @@ Expression::Expression(const std::string& asker, const std::string& text,
                        const ExpressionNames& names)
     : parser_(new Parser(asker, text, names)) {}
 Expression::~Expression() = default;
+
+double Expression::value() { return parser_->evaluate(); }
 
 bool Expression::holds() { return std::isnormal(parser_->evaluate()); }
 

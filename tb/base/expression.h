@@ -1,6 +1,6 @@
 // Expression: a condition over named numbers, such as `line == 240 && state_q == bisect`.
 //
-// Operators, as in C: ( ) ! - * / + < <= > >= == != && || ?: and bit(x, n). Behind `==` or `!=` a
+// Operators, as in C: ( ) ! - * / + < <= > >= == != && || ?: and bit(x, n), ceil(x), log10(x). Behind `==` or `!=` a
 // name whose values are words is compared with one of them. The parser is muParser: numbers are
 // doubles, exact up to 53 bits; what is divided by 0 is infinite, and does not hold.
 //
@@ -38,6 +38,8 @@ class Expression {
 
   /// Whether it is not 0, with the values as they are now.
   bool holds();
+  /// What it is.
+  double value();
 
  private:
   struct Parser;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/command.h"
 #include "tb/program/command_bench.h"
+#include "tb/program/command_compare.h"
 #include "tb/program/command_doctor.h"
 #include "tb/program/command_explain.h"
 #include "tb/program/command_knobs.h"
@@ -18,8 +19,9 @@ namespace racebeam {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      render_row(),   view_row(),  explain_row(), trace_row(), scene_row(), verify_row(),
-      verilate_row(), units_row(), knobs_row(),   sweep_row(), bench_row(), doctor_row(),
+      render_row(),  view_row(),     explain_row(), trace_row(), scene_row(),
+      verify_row(),  verilate_row(), units_row(),   knobs_row(), sweep_row(),
+      compare_row(), bench_row(),    doctor_row(),
   };
   return table;
 }

@@ -53,6 +53,15 @@ Words knob_names() {
   return {names.begin(), names.end()};
 }
 
+/// "block.cores"
+Words knob_names_by_engine() {
+  Words names;
+  for (const engine* one : engines())
+    for (const knob_row& row : one->knobs)
+      if (!row.of_scene) names.push_back(std::string(one->name) + "." + row.name);
+  return names;
+}
+
 Words values_of_knob(const std::string& name) {
   for (const engine* one : engines())
     for (const knob_row& row : one->knobs)
@@ -106,6 +115,12 @@ const std::map<std::string, WordsOf>& table() {
        [](const std::string& text) {
          return only(assignments(knob_names(), text, values_of_knob));
        }},
+      {"ENGINE.KNOB=VALUE",
+       [](const std::string& text) {
+         return only(assignments(knob_names_by_engine(), text, [](const std::string& name) {
+           return values_of_knob(name.substr(name.find('.') + 1));
+         }));
+       }},
       {"LEVEL", always([] {
          return Words{LevelTlm, LevelSignal};
        })},
@@ -124,6 +139,9 @@ const std::map<std::string, WordsOf>& table() {
       {"TRIGGER", always([] { return with(trigger_names(), Mismatch); })},
       {"UNIT", own_rtl},
       {"UNIT=IMPLEMENTATION", implementations},
+      {"WHAT", always([] {
+         return Words{ShowPicture, ShowHits};
+       })},
       {"WORD",
        always([] { return words_of(glossary(), [](const Word& one) { return one.word; }); })},
   };
