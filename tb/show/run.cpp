@@ -3,6 +3,7 @@
 #include "tb/show/run.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
@@ -43,11 +44,24 @@ knob_values knobs_of(const Show& show, const std::vector<std::string>& assignmen
   return k;
 }
 
-Run open_run(const RunOptions& options, bool wired) {
-  const bool built_in = options.scene == "demo" && !options.engine.empty();
-  const Show show =
-      built_in ? Show::built_in(engine_named(options.engine)) : open_show(options.scene);
+namespace {
+
+/// By the engine that is asked for, if it can read the scene.
+Show show_of(const RunOptions& options) {
+  if (options.engine.empty()) return open_show(options.scene);
+  const engine& shown = engine_named(options.engine);
+  if (options.scene == "demo") return Show::built_in(shown);
+  std::string why;
+  if (std::optional<Show> show = open_show_for(shown, options.scene, why)) return *show;
+  Show show = open_show(options.scene);
   expect_engine(show, options.engine);
+  return show;
+}
+
+}  // namespace
+
+Run open_run(const RunOptions& options, bool wired) {
+  const Show show = show_of(options);
   return {show, level_of(options, show.engine(), wired), knobs_of(show, options.assignments)};
 }
 

@@ -66,5 +66,13 @@ TEST_F(CliBlockTest, WhatItsNumbersCannotHoldIsRefusedWithItsPlace) {
               HasSubstr("it takes 640x480, 512x480, 1920x1080"));
 }
 
+TEST_F(CliBlockTest, DrawsASceneOfSeveralEnginesIfItIsAskedFor) {
+  run({"render", "common/rising-1", "--engine", "block", "--frames", "1", "-o", "one.png",
+       "--stats", "one.json"});
+  EXPECT_EQ(read_json(folder / "one.json").at("engine"), "block");
+  EXPECT_THAT(refused({"render", "sphere/four", "--engine", "block"}),
+              HasSubstr("four is a scene for sphere; --engine sphere or leave --engine out"));
+}
+
 }  // namespace
 }  // namespace racebeam
