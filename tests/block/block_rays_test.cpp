@@ -203,7 +203,8 @@ double percent(std::uint64_t part, const Lost& lost) {
 }
 
 TEST(BlockCull, CornersLoseSpheresSmallerThanABlockAndAConeNone) {
-  const double rows[][2] = {{1.6, 84.9}, {4.8, 56.3}, {8, 8.2}};
+  const double rows[][2] = {{1.6, 84.9}, {3.2, 73.3}, {4.8, 56.3}, {6.4, 29.7},
+                            {8, 8.2},    {10.4, 0.6}, {16, 0.1},   {32, 0}};
   for (const auto& [radius, share] : rows) {
     const Lost lost = lost_pixels(radius, 7);
     EXPECT_NEAR(percent(lost.by_corners, lost), share, 1) << radius;

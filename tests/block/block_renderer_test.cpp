@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <queue>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tests/support/block_scenes.h"
 
@@ -125,6 +128,32 @@ TEST(BlockRenderer, AnyNumberOfCoresDrawsTheSameWordsInTheSameBusyClocks) {
     EXPECT_EQ(std::accumulate(busy.begin(), busy.end(), std::uint64_t{0}), 3172601u) << cores;
     EXPECT_EQ(drawn.counters.busy_clocks, 3172601u) << cores;
     EXPECT_GT(busy[static_cast<std::size_t>(cores - 1)], 0u);
+  }
+}
+
+// The design's machine: a large picture, and as if each core had a bus of its own.
+TEST(BlockRenderer, WithoutABusCoresAreAsBusyAsTheDesignSays) {
+  block_knobs k;
+  k.size = BlockSize1920;
+  block_tables tables = forty_tables();
+  tables.screen = {10.667f, 6};
+  block_rays rays(k, converted(tables, k));
+  std::vector<std::int64_t> jobs;
+  for (int y = 0; y < k.rows(); y += BlockSide)
+    for (int x = 0; x < k.columns(); x += BlockSide) jobs.push_back(rays.job(x, y).clocks);
+  const auto busy = static_cast<double>(std::accumulate(jobs.begin(), jobs.end(), std::int64_t{0}));
+  EXPECT_NEAR(busy, 79.02e6, 0.005e6);
+  for (const auto& [cores, share] : {std::pair{1, 100.0}, {16, 99.9}, {35, 99.7}, {64, 98.9}}) {
+    std::priority_queue<std::int64_t, std::vector<std::int64_t>, std::greater<>> idle;
+    for (int n = 0; n < cores; ++n) idle.push(n);
+    std::int64_t dealt = -1, end = 0;
+    for (const std::int64_t clocks : jobs) {
+      dealt = std::max(dealt + 1, idle.top());
+      idle.pop();
+      idle.push(dealt + 1 + clocks);
+      end = std::max(end, dealt + 1 + clocks);
+    }
+    EXPECT_NEAR(100 * busy / static_cast<double>(end * cores), share, 0.05) << cores;
   }
 }
 
