@@ -1,8 +1,9 @@
 // Expression: a condition over named numbers, such as `line == 240 && state_q == bisect`.
 //
-// Operators, as in C: ( ) ! - * / + < <= > >= == != && || ?: and bit(x, n), ceil(x), log10(x). Behind `==` or `!=` a
-// name whose values are words is compared with one of them. The parser is muParser: numbers are
-// doubles, exact up to 53 bits; what is divided by 0 is infinite, and does not hold.
+// Operators, as in C: ( ) ! - * / + < <= > >= == != && || ?: and bit(x, n), ceil(x), log10(x).
+// Behind `==` or `!=` a name whose values are words is compared with one of them. The parser is
+// muParser: numbers are doubles, exact up to 53 bits; what is divided by 0 is infinite, and does
+// not hold.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -143,9 +143,10 @@ void check_show(const RenderOptions& options, RenderPlan& plan) {
   plan.hits = options.show == ShowHits;
   if (!plan.hits) return;
   if (plan.against || plan.compare)
-    throw UsageError(fmt::format("--show hits draws no colours that could be compared; leave out "
-                                 "{}, or see `racebeam compare`",
-                                 plan.against ? "--against" : "--golden compare"));
+    throw UsageError(
+        fmt::format("--show hits draws no colours that could be compared; leave out "
+                    "{}, or see `racebeam compare`",
+                    plan.against ? "--against" : "--golden compare"));
   if (plan.tracer && *plan.tracer != GoldenTracer::Geometry)
     throw UsageError("--show hits has one golden map: --golden geometry");
 }
