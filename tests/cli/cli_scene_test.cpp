@@ -133,7 +133,8 @@ TEST_F(CliSceneTest, CheckWarnsOfWhatIsAllowedButHardlyMeant) {
 }
 
 TEST_F(CliSceneTest, OurOwnScenesHaveNoWarnings) {
-  for (const char* sub : {"/scenes", "/scenes/chip", "/scenes/sphere"})
+  for (const char* sub :
+       {"/scenes", "/scenes/chip", "/scenes/sphere", "/scenes/block", "/scenes/common"})
     for (const auto& entry : fs::directory_iterator(std::string(RACEBEAM_SOURCE_DIR) + sub)) {
       if (entry.path().extension() != ".toml") continue;
       Program program(folder.path(), {"scene", "check", entry.path().string()});
