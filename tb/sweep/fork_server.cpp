@@ -15,7 +15,6 @@
 #include <stdexcept>
 
 #include "tb/base/child.h"
-#include "tb/base/forked.h"
 
 namespace racebeam {
 
@@ -84,6 +83,15 @@ sigset_t children() {
 }
 
 }  // namespace
+
+bool send_all(int socket, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t sent = send(socket, bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL);
+    if (sent < 0 && errno != EINTR) return false;
+    if (sent > 0) done += static_cast<std::size_t>(sent);
+  }
+  return true;
+}
 
 ForkServer::ForkServer(Work work) : work_(std::move(work)) { open(); }
 
@@ -171,7 +179,7 @@ ForkServer::Worker ForkServer::start(const std::string& request) {
     while (good && (good = next(message)) && message.ended) ended_[message.ended] = message.status;
     close(ends[1]);
     if (good && message.started > 0) {
-      write_all(ends[0], request);  // a worker that is gone already is seen at its end
+      send_all(ends[0], request);  // a worker that is gone already is seen at its end
       shutdown(ends[0], SHUT_WR);
       return {message.started, ends[0], server_};
     }

@@ -20,6 +20,9 @@ namespace racebeam {
 /// Ctrl-C: whoever asked decides.
 using Work = std::function<void(const std::string& request, int file)>;
 
+/// Writes all bytes to a socket; false, without SIGPIPE, if its reader is gone.
+bool send_all(int socket, const std::string& bytes);
+
 class ForkServer {
  public:
   /// Throws std::runtime_error if there is no process, or no pipe to it.

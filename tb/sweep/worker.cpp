@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/sweep/worker.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "tb/base/errors.h"
-#include "tb/base/forked.h"
 #include "tb/bench/benches.h"
 #include "tb/show/open_show.h"
 #include "tb/sweep/block.h"
 #include "tb/sweep/columns.h"
+#include "tb/sweep/fork_server.h"
 #include "tb/sweep/packed.h"
 #include "tb/sweep/row_digest.h"
 #include "tb/sweep/sweep_kinds.h"
@@ -84,7 +83,7 @@ class Worker {
   }
 
   void say(const std::string& line) const {
-    if (!write_all(file_, line)) _exit(0);  // nobody listens any more
+    if (!send_all(file_, line)) _exit(0);  // nobody listens any more
   }
 
   const Block block_;
@@ -97,7 +96,6 @@ class Worker {
 }  // namespace
 
 void work_on(const std::string& request, int file) {
-  signal(SIGPIPE, SIG_IGN);
   dup2(file, STDERR_FILENO);
   dup2(file, STDOUT_FILENO);
   int number = 0;
@@ -106,7 +104,7 @@ void work_on(const std::string& request, int file) {
     number = block.number;
     Worker(block, file).answer_all();
   } catch (const std::exception& error) {
-    write_all(file, error_line(number, error.what()));
+    send_all(file, error_line(number, error.what()));
   }
 }
 

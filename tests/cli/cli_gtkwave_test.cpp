@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <utility>
 
 #include "tests/cli/gtkwave.h"
 #include "tests/cli/program.h"
@@ -107,8 +108,8 @@ class CliGtkWaveTest : public testing::Test {
   template <class Good>
   bool screen_becomes(const XServer& server, const Good& good) {
     const bool is_good = eventually([&] {
-      screen = server.screen();
-      return !screen.empty() && good();
+      const std::vector<std::uint8_t> before = std::exchange(screen, server.screen());
+      return !screen.empty() && screen == before && good();  // or it is half drawn
     });
     if (!is_good) {
       const std::string path = std::string(test_info_->name()) + ".png";

@@ -7,13 +7,13 @@
 
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <map>
 
 #include "sc/beam/knobs.h"
-#include "tb/base/forked.h"
 #include "tb/sweep/row_digest.h"
 #include "tests/support/scratch_folder.h"
 
@@ -65,9 +65,9 @@ class BlockRunnerTest : public testing::Test, public BlockRunner::Owner {
         if (frame == 3 && behaviour.at_3 &&
             (behaviour.always || first_time(folder.path(), std::to_string(block.point))))
           behaviour.at_3(file);
-        write_all(file, answer_line(answer_of(block.number, frame)));
+        send_all(file, answer_line(answer_of(block.number, frame)));
       }
-      write_all(file, done_line(block.number));
+      send_all(file, done_line(block.number));
     });
     std::list<Block> blocks;
     for (const auto& [point, behaviour] : points) {
@@ -107,7 +107,7 @@ TEST_F(BlockRunnerTest, ACrashOnceCostsNothing) {
 }
 
 TEST_F(BlockRunnerTest, ACrashAtTheSameFrameFailsThePointAlone) {
-  run({{1, {[](int file) { write_all(file, "terminate called\n"), abort(); }, true}}, {2, {}}});
+  run({{1, {[](int file) { send_all(file, "terminate called\n"), abort(); }, true}}, {2, {}}});
   EXPECT_THAT(failed[1], HasSubstr("frame 3: a worker died: Aborted"));
   EXPECT_THAT(failed[1], HasSubstr("|terminate called")) << "its last words";
   EXPECT_THAT(taken[1], Before);
@@ -127,7 +127,7 @@ TEST_F(BlockRunnerTest, GarbageIsNoAnswer) {
   const auto garbage = [](int file) {
     std::string line = answer_line(answer_of(1, 3));
     line.replace(line.find("21"), 2, "22");  // not as its digest says
-    write_all(file, line + "{\n" + answer_line(answer_of(77, 3)) + answer_line(answer_of(1, 99)));
+    send_all(file, line + "{\n" + answer_line(answer_of(77, 3)) + answer_line(answer_of(1, 99)));
     _exit(0);
   };
   run({{1, {garbage, true}}, {2, {}}});
@@ -137,8 +137,7 @@ TEST_F(BlockRunnerTest, GarbageIsNoAnswer) {
 }
 
 TEST_F(BlockRunnerTest, AnErrorIsTheReason) {
-  run({{1,
-        {[](int file) { write_all(file, error_line(1, "no such \"room\"")), _exit(0); }, true}}});
+  run({{1, {[](int file) { send_all(file, error_line(1, "no such \"room\"")), _exit(0); }, true}}});
   EXPECT_THAT(failed[1], HasSubstr("frame 3: no such \"room\""));
 }
 
@@ -161,6 +160,17 @@ TEST_F(BlockRunnerTest, AServerThatSomebodyKillsIsReplaced) {
   run({{1, {kill_server}}, {2, {kill_server}}, {3, {}}, {4, {}}});
   EXPECT_TRUE(failed.empty());
   for (const int point : {1, 2, 3, 4}) EXPECT_THAT(taken[point], All) << point;
+}
+
+// Or a worker that dies while its request is written would end the whole sweep.
+TEST(ForkServer, SaysThatAReaderIsGoneWithoutASignal) {
+  int ends[2];
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
+  EXPECT_TRUE(send_all(ends[0], "read by nobody"));
+  close(ends[1]);
+  ASSERT_EQ(signal(SIGPIPE, SIG_DFL), SIG_DFL);
+  EXPECT_FALSE(send_all(ends[0], "read by nobody"));
+  close(ends[0]);
 }
 
 TEST(Block, RequestsAndAnswersCrossAPipe) {
