@@ -39,6 +39,9 @@ package voxel_pkg;
   localparam int VoxelLimitBits = 10;
   localparam int VoxelKindBits = 2;
   localparam int VoxelStateBits = 4;
+  localparam int VoxelScanBits = 2;
+  localparam int VoxelColourBits = 24;
+  localparam int VoxelPaletteBits = 7;
   localparam int VoxelBuilderStateBits = 3;
   localparam int VoxelSampleBits = 8;
   localparam int VoxelRectangleBits = 15;
@@ -53,14 +56,21 @@ package voxel_pkg;
     VoxelExit = 4'd4,
     VoxelLeaf = 4'd5,
     VoxelMove = 4'd6,
-    VoxelLimit = 4'd7,
-    VoxelShade = 4'd8
+    VoxelLimit = 4'd7
   } voxel_state;
+
+  typedef enum logic [1:0] {
+    VoxelScanIdle = 2'd0,
+    VoxelScanRay = 2'd1,
+    VoxelScanShadow = 2'd2,
+    VoxelScanShade = 2'd3
+  } voxel_scan_state;
 
   typedef enum logic [1:0] {
     VoxelSky = 2'd0,
     VoxelHit = 2'd1,
-    VoxelLimited = 2'd2
+    VoxelOuterLimit = 2'd2,
+    VoxelInnerLimit = 2'd3
   } voxel_kind;
 
   typedef enum logic [2:0] {

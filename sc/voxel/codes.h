@@ -38,6 +38,9 @@ constexpr int VoxelMaxVoxel = 16;
 constexpr int VoxelLimitBits = 10;
 constexpr int VoxelKindBits = 2;
 constexpr int VoxelStateBits = 4;
+constexpr int VoxelScanBits = 2;
+constexpr int VoxelColourBits = 24;
+constexpr int VoxelPaletteBits = 7;  // {material, height}
 constexpr int VoxelBuilderStateBits = 3;
 constexpr int VoxelSampleBits = 8;
 constexpr int VoxelRectangleBits = 15;
@@ -51,15 +54,23 @@ enum voxel_state {
   VoxelExit = 4,
   VoxelLeaf = 5,
   VoxelMove = 6,
-  VoxelLimit = 7,
-  VoxelShade = 8
+  VoxelLimit = 7
+};
+
+/// Where voxel_scan is.
+enum voxel_scan_state {
+  VoxelScanIdle = 0,
+  VoxelScanRay = 1,
+  VoxelScanShadow = 2,
+  VoxelScanShade = 3
 };
 
 /// How a ray ends.
 enum voxel_kind {
   VoxelSky = 0,
   VoxelHit = 1,
-  VoxelLimited = 2  // the column beneath the ray
+  VoxelOuterLimit = 2,  // stopped: what it shows is the column beneath it
+  VoxelInnerLimit = 3
 };
 
 /// Where voxel_builder is.

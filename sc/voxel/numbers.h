@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 
@@ -42,9 +43,30 @@ constexpr std::int64_t voxel_border_t(int border, int origin, int direction,
   return std::clamp<std::int64_t>(t, 0, VoxelNever);
 }
 
-/// Where the ray is at t on an axis, 16.8, rounded down; wider than a position far away.
-constexpr std::int64_t voxel_point(int origin, std::int64_t t, int direction) {
-  return origin + ((t * direction) >> VoxelDirectionFraction);
+/// Where the ray is at t on an axis, 16.8, rounded down, modulo 2^16.
+constexpr int voxel_point(int origin, std::int64_t t, int direction) {
+  const std::int64_t moved = (t * direction) >> VoxelDirectionFraction;
+  return wrap_signed(static_cast<int>(origin + moved), VoxelPositionBits);
+}
+constexpr vec3 voxel_point(const vec3& origin, std::int64_t t, const vec3& direction) {
+  return {voxel_point(origin[0], t, direction[0]), voxel_point(origin[1], t, direction[1]),
+          voxel_point(origin[2], t, direction[2])};
+}
+
+/// Between samples, 24.8: a unit along the longest axis, `steps` to it. 2^32 - 1 of no direction.
+constexpr std::uint32_t voxel_step_of(const vec3& direction,
+                                      const std::array<std::uint32_t, 3>& inverse, int steps) {
+  std::uint32_t step = 0xffffffff;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!voxel_parallel(direction[axis]))
+      step = std::min(step, inverse[axis] >> (VoxelInverseFraction - VoxelPositionFraction));
+  return step / static_cast<std::uint32_t>(steps);
+}
+
+/// Whether a point of 16.8 is in the solid of its column.
+constexpr bool voxel_solid(int low, int middle, int high, int z) {
+  const int at = z >> VoxelPositionFraction;
+  return at < low || (at >= middle && at < high);
 }
 
 }  // namespace racebeam

@@ -9,8 +9,10 @@ namespace racebeam {
 
 namespace {
 
-constexpr int SetupClocks = 18, MoveClocks = 1, DownClocks = 1, ExitClocks = 1, LimitClocks = 3;
-constexpr int ChildrenBits = 8;  // of a voxel, in an aligned byte
+constexpr int SetupClocks = 18, MoveClocks = 1, DownClocks = 1, ExitClocks = 1;
+constexpr int ReadClocks = 2;  // of a column, beside the memory's own
+
+constexpr int VoxelFarAway = 1 << (VoxelPositionBits - VoxelPositionFraction - 1);  // units
 
 /// One ray on its way.
 class Walk {
@@ -40,13 +42,13 @@ class Walk {
           if (steps) (*steps)({level_, voxel_, place, hit_t_, t_out_, voxel_step::Hit});
           return {VoxelHit, hit_t_, hit()};
         }
-        if (inner_ == 0) return stopped();
+        if (inner_ == 0) return stopped(VoxelInnerLimit);
       } else if (steps) {
         (*steps)({level_, voxel_, place, t_, t_out_, voxel_step::Empty});
       }
       move(axis);
       if (voxel_[2] >= levels_.level(level_).sides[2] && !down(2)) return {};
-      if (voxel_[2] < 0 || outer_ == 0) return stopped();
+      if (voxel_[2] < 0 || far_away(axis) || outer_ == 0) return stopped(VoxelOuterLimit);
       --outer_;
     }
   }
@@ -56,12 +58,7 @@ class Walk {
   std::int64_t border(int axis, int at) const {
     return voxel_border_t(at, ray_.origin[axis], ray_.direction[axis], inverse_[axis]);
   }
-  vec3 point(std::int64_t t) const {
-    vec3 p;
-    for (int axis = 0; axis < 3; ++axis)
-      p[axis] = static_cast<int>(voxel_point(ray_.origin[axis], t, ray_.direction[axis]));
-    return p;
-  }
+  vec3 point(std::int64_t t) const { return voxel_point(ray_.origin, t, ray_.direction); }
 
   /// Where it hits. A voxel that is a hit is entered at its border, and rounding may leave the
   /// point beside it: its column is the voxel's.
@@ -92,11 +89,10 @@ class Walk {
   bool fetch(const voxel_place& place) {
     const auto level = static_cast<std::size_t>(level_);
     ++walked_.fetches_by_level[level];
-    const std::int64_t byte = std::int64_t{place.word} * 32 + (place.bit & ~(ChildrenBits - 1));
-    const bool known = k_.group_fetch && byte == children_;
+    const bool known = known_;  // among the children that were read
+    known_ = k_.group_fetch && level_ > 0 && !known;
     walked_.clocks += static_cast<unsigned>(known ? 1 : 1 + k_.memory_clocks);
     if (!known) ++walked_.words_by_level[level];
-    children_ = -1;
     return place.inside && (world_.occupancy()[place.word] >> place.bit & 1);
   }
 
@@ -137,19 +133,16 @@ class Walk {
       hit_t_ = t_;
       return t_out_ > t_;
     }
-    std::uint32_t step = 0xffffffff;
-    for (int axis = 0; axis < 3; ++axis)
-      if (!voxel_parallel(ray_.direction[axis])) step = std::min(step, inverse_[axis] >> 12);
-    step /= static_cast<std::uint32_t>(k_.leaf_steps);
+    const std::uint32_t step = voxel_step_of(ray_.direction, inverse_, k_.leaf_steps);
     for (std::int64_t q = t_ + step / 2; q < t_out_; q += step) {
       ++walked_.samples;
       ++walked_.column_reads;
-      walked_.clocks += static_cast<unsigned>(2 + k_.memory_clocks);
+      walked_.clocks += static_cast<unsigned>(ReadClocks + k_.memory_clocks);
       const vec3 p = point(q);
       const voxel_column c =
           world_.column(p[0] >> VoxelPositionFraction, p[1] >> VoxelPositionFraction);
       hit_t_ = q;
-      if (p[2] < c.low << 8 || (p[2] >= c.middle << 8 && p[2] < c.high << 8)) return true;
+      if (voxel_solid(c.low, c.middle, c.high, p[2])) return true;
       if (--inner_ == 0) return false;
     }
     return false;
@@ -158,6 +151,7 @@ class Walk {
   void move(int axis) {
     ++walked_.moves;
     walked_.clocks += MoveClocks;
+    known_ = false;
     t_ = t_out_;
     const int side = !down(axis);
     while (level_ + 1 < levels_.count() && (voxel_[axis] & 1) == side) {
@@ -169,11 +163,17 @@ class Walk {
     voxel_[axis] += side ? 1 : -1;
   }
 
-  voxel_end stopped() {
+  /// Beyond what the numbers hold, along the axis that it moved on.
+  bool far_away(int axis) const {
+    const int at = voxel_[axis] * levels_.side(level_, axis);
+    return at < -VoxelFarAway || at >= VoxelFarAway;
+  }
+
+  voxel_end stopped(voxel_kind why) {
     if (!down(2)) return {};
-    walked_.clocks += LimitClocks;
+    walked_.clocks += static_cast<unsigned>(ReadClocks + k_.memory_clocks);
     ++walked_.column_reads;
-    return {VoxelLimited, t_, point(t_)};
+    return {why, t_, point(t_)};
   }
 
   const voxel_world& world_;
@@ -185,7 +185,7 @@ class Walk {
   int level_ = 0, outer_ = 0, inner_ = 0;
   vec3 voxel_{};
   std::int64_t t_ = 0, t_out_ = 0, hit_t_ = 0;
-  std::int64_t children_ = -1;
+  bool known_ = false;  // the bits of the children of the voxel that was looked at last
 };
 
 }  // namespace
