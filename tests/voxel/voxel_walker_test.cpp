@@ -1,0 +1,103 @@
+// The cores that a ray goes through take it where the closed form does, in as many clocks.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sc/voxel/voxel_walker_core.h"
+#include "tests/voxel/tiny_world.h"
+#include "tests/voxel/walker_rig.h"
+
+namespace racebeam {
+namespace {
+
+int within(std::mt19937& random, int low, int high) {
+  return std::uniform_int_distribution(low, high)(random);
+}
+
+/// Hills with caves, of any height.
+std::vector<std::uint32_t> rough_columns(std::mt19937& random, const voxel_knobs& k) {
+  std::vector<std::uint32_t> columns;
+  for (int n = 0; n < k.size_x * k.size_y; ++n) {
+    voxel_column c;
+    c.low = within(random, 0, k.size_z / 3);
+    c.middle = c.low + within(random, 0, k.size_z / 3);
+    c.high = n % 5 ? c.middle : c.middle + within(random, 0, k.size_z / 3 - 1);
+    columns.push_back(packed(c));
+  }
+  return columns;
+}
+
+voxel_ray any_ray(std::mt19937& random, const voxel_knobs& k) {
+  voxel_ray ray;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ray.origin[axis] = within(random, -k.size()[axis] * 128, k.size()[axis] * 384);
+    ray.direction[axis] = within(random, -65536, 65536) >> within(random, 0, 14);
+  }
+  return ray;
+}
+
+voxel_knobs any_knobs(std::mt19937& random) {
+  voxel_knobs k;
+  k.size_x = within(random, 1, 3) * 32;
+  k.size_y = within(random, 1, 3) * 64;
+  k.size_z = 32;
+  k.voxel_x = 1 << within(random, 0, 1);
+  k.voxel_y = 1 << within(random, 0, 2);
+  k.voxel_z = 1;
+  k.levels = within(random, 1, 4);
+  k.leaf_steps = within(random, 1, 8);
+  k.raise = within(random, 0, 1);
+  k.group_fetch = within(random, 0, 1);
+  k.memory_clocks = within(random, 1, 4);
+  if (k.voxel_x * k.voxel_y == 1) k.leaf = within(random, 0, 1);
+  return k;
+}
+
+TEST(VoxelWalker, GoesWhereTheClosedFormGoesInAsManyClocks) {
+  std::mt19937 random(7);
+  std::array<int, 4> kinds{};
+  for (int round = 0; round < 40; ++round) {
+    const voxel_knobs k = any_knobs(random);
+    const voxel_world world(voxel_levels(k), rough_columns(random, k));
+    WalkerRig rig(world, k);
+    for (int n = 0; n < 200; ++n) {
+      const voxel_ray ray = any_ray(random, k);
+      const voxel_limit limit{within(random, 1, 100), within(random, 1, 100)};
+      voxel_walked walked, expected;
+      const voxel_end end = rig.walk(ray, limit, walked);
+      const voxel_end same = voxel_walk(world, k, ray, limit, expected);
+      ASSERT_EQ(end.kind, same.kind) << "round " << round << ", ray " << n;
+      if (same.kind != VoxelSky) {
+        ASSERT_EQ(end.position, same.position);
+      }
+      ASSERT_EQ(walked.clocks, expected.clocks) << "round " << round << ", ray " << n;
+      ASSERT_EQ(walked.fetches_by_level, expected.fetches_by_level);
+      ASSERT_EQ(walked.words_by_level, expected.words_by_level);
+      ASSERT_EQ(walked.descents, expected.descents);
+      ASSERT_EQ(walked.moves, expected.moves);
+      ASSERT_EQ(walked.samples, expected.samples);
+      ++kinds[end.kind];
+    }
+  }
+  for (const int count : kinds) EXPECT_GT(count, 50) << "each way to end";
+}
+
+TEST(VoxelWalker, DrawsTheWorldTinyIn312737Clocks) {
+  const voxel_world world = tiny_world(4);
+  WalkerRig rig(world, {});
+  voxel_walked walked;
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const voxel_ray ray{
+          {32 * 256 + 128, 2 * 256 + 64, 40 * 256},
+          {(-6710880 + x * 209715) >> 8, 10066330 >> 8, (-838866 - y * 209715) >> 8}};
+      EXPECT_EQ(rig.walk(ray, {100, 100}, walked).kind, VoxelHit);
+    }
+  EXPECT_EQ(walked.clocks, 312737u);
+}
+
+}  // namespace
+}  // namespace racebeam
