@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/program/command.h"
 #include "tb/program/command_bench.h"
+#include "tb/program/command_claims.h"
 #include "tb/program/command_compare.h"
 #include "tb/program/command_doctor.h"
 #include "tb/program/command_explain.h"
@@ -21,7 +22,7 @@ const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
       render_row(),  view_row(),     explain_row(), trace_row(), scene_row(),
       verify_row(),  verilate_row(), units_row(),   knobs_row(), sweep_row(),
-      compare_row(), bench_row(),    doctor_row(),
+      compare_row(), claims_row(),   bench_row(),   doctor_row(),
   };
   return table;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "tb/base/console.h"
@@ -112,6 +113,16 @@ std::string SweepPlan::key() const {
 
 SweepPlan plan_sweep(const std::string& path, const std::vector<std::string>& narrowed) {
   return plan(load_sweep(path, sweep_names(), narrowed));
+}
+
+SweepPlan plan_sweep_text(const std::string& text, const std::string& name) {
+  SweepResult result = read_sweep(text, name, sweep_names());
+  if (!result.faults.none()) {
+    std::fputs(result.faults.text(name).c_str(), stderr);
+    throw UsageError(counted(result.faults.count(), "fault") + " in " + name);
+  }
+  result.text = text;
+  return plan(std::move(result));
 }
 
 }  // namespace racebeam

@@ -41,5 +41,7 @@ struct SweepPlan {
 
 /// Reads a sweep file and opens its scenes. Throws UsageError after all faults are on stderr.
 SweepPlan plan_sweep(const std::string& path, const std::vector<std::string>& narrowed);
+/// The same of a text; `name` is what faults and the sweep are called by.
+SweepPlan plan_sweep_text(const std::string& text, const std::string& name);
 
 }  // namespace racebeam

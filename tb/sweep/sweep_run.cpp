@@ -17,6 +17,7 @@
 #include "tb/sweep/measurer.h"
 #include "tb/sweep/model_hash.h"
 #include "tb/sweep/provenance.h"
+#include "tb/sweep/repeats.h"
 #include "tb/sweep/reuse.h"
 #include "tb/sweep/schema.h"
 #include "tb/sweep/sweep_changes.h"
@@ -136,7 +137,7 @@ class Sweep {
   }
 
   bool measure() {
-    if (!repeats()) return false;
+    if (!repeats_as_stored(plan_, store_, model_, measurer_)) return false;
     silicon_.measure(state_, measurer_, options_.jobs);
     const bool races = plan_.file.search.race && !plan_.file.goals.empty();
     for (const int frames : races ? rungs(last_rung()) : std::vector<int>{last_rung()}) {
@@ -152,21 +153,6 @@ class Sweep {
   bool measure_rung(int frames) {
     rung_ = frames;
     return measurer_.measure(wants(frames)) && measurer_.failure(0).empty();
-  }
-
-  /// Another program with the same model counts the same.
-  bool repeats() {
-    if (!is_new_program(store_, model_)) return true;
-    std::vector<Want> there;  // the base first: others are compared with its pictures
-    for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
-      for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
-        for (const FrameRow& row : store_.frames.read(measurer_.key(point, scene), {}))
-          if (!row.guard) there.push_back({point, scene, {row.frame}});
-    const std::size_t some = std::min<std::size_t>(3, there.size());
-    for (std::size_t i = 0; i < some; ++i)
-      if (!measurer_.repeat(there[i * (there.size() - 1) / 2])) return false;
-    know_program(store_, model_);
-    return true;
   }
 
   bool guard() {
