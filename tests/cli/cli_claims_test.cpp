@@ -1,0 +1,105 @@
+// racebeam claims: measured once, kept, and turned by a wrong chip.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/cli/sweep_bench.h"
+
+namespace racebeam {
+namespace {
+
+using testing::HasSubstr;
+
+class CliClaims : public CliSweepTest {
+ protected:
+  Words words(const Words& more) const {
+    Words all = {"claims", "-o", "out", "--jobs", "2"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  /// Verdicts by row; the exit code is 1 if one of them does not hold.
+  std::map<std::string, std::string> verdicts(const Words& more) {
+    Words all = words(more);
+    all.push_back("--json");
+    Program run(folder.path(), all);
+    const int code = run.wait();
+    std::map<std::string, std::string> found;
+    const Json json = Json::parse(run.out());
+    bool differs = false;
+    for (const Json& claim : json.at("claims").elements()) {
+      const std::string verdict = claim.at("verdict").get<std::string>();
+      found[claim.at("id").get<std::string>()] = verdict;
+      differs = differs || verdict == "does not hold";
+    }
+    EXPECT_EQ(code, differs ? 1 : 0) << run.err();
+    return found;
+  }
+};
+using LongCliClaims = CliClaims;
+
+TEST_F(CliClaims, TheSameCommandAgainMeasuresNothingAndSaysTheSame) {
+  const Words few = words({"--only", "35", "--only", "22", "--frames", "2"});
+  Program first(folder.path(), few);
+  EXPECT_THAT(first.wait(), testing::AnyOf(0, 1)) << first.err();
+  const auto runs = [this](const std::string& scene) {
+    return query(store("out/" + scene), "SELECT count(*) FROM run").at(0);
+  };
+  EXPECT_EQ(runs("grid"), "1");
+  Program again(folder.path(), few);
+  again.wait();
+  EXPECT_EQ(again.out(), first.out());
+  EXPECT_EQ(runs("grid"), "1");
+  EXPECT_EQ(runs("demo"), "1");
+  expect({"sweep", "check", "out/demo", "--sample", "2"}, 0);
+}
+
+TEST_F(CliClaims, ARowThatIsNotThereIsRefused) {
+  EXPECT_THAT(expect(words({"--only", "S0-6"}), 2), HasSubstr("there is no claim 'S0-6'"));
+  EXPECT_THAT(expect(words({"--frames", "0"}), 2), HasSubstr("1..16383, or all"));
+  EXPECT_THAT(expect(words({"--set", "dr_bit=3"}), 2), HasSubstr("dr_bits"));
+}
+
+TEST_F(CliClaims, MarkdownHasARowForEachCheck) {
+  expect(words({"--only", "66", "--frames", "2", "--markdown", "c.md"}), 0);
+  const std::string text = read_file(folder / "c.md");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 7);
+  EXPECT_THAT(text, HasSubstr("| S0-65, 66 |"));
+}
+
+// The museum of wrong knobs: a chip that was built otherwise turns the rows that are about that.
+TEST_F(CliClaims, ACutThatKeepsEverythingTurnsTheProduct) {
+  EXPECT_EQ(verdicts({"--only", "94", "--frames", "2"}).at("S0-30, 31, 94"), "holds");
+  EXPECT_EQ(verdicts({"--only", "94", "--frames", "2", "--set", "partial_products_cut=0"})
+                .at("S0-30, 31, 94"),
+            "does not hold");
+}
+
+// Another chip turns the rows that are about its change. The chip's own verdicts are pinned: all
+// that are not here hold. Of 64 frames; a tenth of a minute of two cores for each chip.
+TEST_F(LongCliClaims, VerdictsOf64FramesAndTheMuseumOfWrongKnobs) {
+  const auto chip = verdicts({"--frames", "64"});
+  std::map<std::string, std::string> others;
+  for (const auto& [id, verdict] : chip)
+    if (verdict != "holds") others[id] = verdict;
+  EXPECT_EQ(others, (std::map<std::string, std::string>{{"S0-111, 115", "does not hold"},
+                                                        {"S0-22, 44", "holds in kind"},
+                                                        {"S0-49", "holds in kind"},
+                                                        {"S0-51", "holds in kind"},
+                                                        {"S0-61", "holds in kind"},
+                                                        {"S0-78", "holds in kind"},
+                                                        {"S0-87", "holds in kind"},
+                                                        {"S0-93", "does not hold"}}));
+  const struct {
+    const char *knob, *row, *id;
+  } museum[] = {{"interval_stack_depth=1", "62", "S0-62"},
+                {"partial_products_cut=8", "95", "S0-95"},
+                {"fifo_entries=4", "51", "S0-51"},
+                {"corner_factor_bits=6", "92", "S0-91, 92"},
+                {"fifo_short_length_bits=3", "84", "S0-84"}};
+  for (const auto& wrong : museum)
+    EXPECT_EQ(verdicts({"--frames", "64", "--only", wrong.row, "--set", wrong.knob}).at(wrong.id),
+              "does not hold")
+        << wrong.knob;
+}
+
+}  // namespace
+}  // namespace racebeam
