@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -66,9 +67,12 @@ bool read_bounds(const TomlNode& node, const std::string& key, ClaimBounds& to, 
     wrong_type(node, key, "two numbers, [from, to]", faults);
     return false;
   }
-  if (!read_decimal(node.items[0], key, -Infinity, Infinity, to.from, faults) ||
-      !read_decimal(node.items[1], key, -Infinity, Infinity, to.to, faults))
-    return false;
+  const auto read = [&](const TomlNode& item, double& number) {
+    if (item.kind == TomlNode::Float && std::isinf(item.number)) number = item.number;
+    else return read_decimal(item, key, -Infinity, Infinity, number, faults);
+    return true;
+  };
+  if (!read(node.items[0], to.from) || !read(node.items[1], to.to)) return false;
   if (to.from <= to.to) return true;
   faults.add(node.place, "'" + key + "' begins behind its end", "write [from, to]");
   return false;
