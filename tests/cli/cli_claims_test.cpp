@@ -73,8 +73,9 @@ TEST_F(CliClaims, ACutThatKeepsEverythingTurnsTheProduct) {
             "does not hold");
 }
 
-// Another chip turns the rows that are about its change. The chip's own verdicts are pinned: all that
-// are not here hold. 64 frames of each chip, golden tracers and syntheses: 80 s of processor time.
+// Another chip turns the rows that are about its change. The chip's own verdicts are pinned: all
+// that are not here hold. 64 frames of each chip, golden tracers and syntheses: 80 s of processor
+// time.
 TEST_F(LongCliClaims, VerdictsOf64FramesAndTheMuseumOfWrongKnobs) {
   const auto chip = verdicts({"--frames", "64"});
   std::map<std::string, std::string> others;

@@ -88,7 +88,8 @@ class VoxelAddressTest : public testing::Test {
         tile[axis] = in[axis] / 8, rest[axis] = in[axis] % 8;
       }
       const bool inside = voxel[2] >= 0 && voxel[2] < at.sides[2];
-      ASSERT_EQ(dut.inside(level, voxel[0], voxel[1], voxel[2]), inside) << level << ":" << voxel[2];
+      ASSERT_EQ(dut.inside(level, voxel[0], voxel[1], voxel[2]), inside)
+          << level << ":" << voxel[2];
       if (!inside) continue;
       std::uint64_t cell = 0;
       for (int bit = 0; bit < 3; ++bit)
@@ -129,9 +130,9 @@ TYPED_TEST(VoxelAddressTest, GivesEachVoxelOfATileItsBit) {
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x) {
         const auto place = dut.place(0, x + 8, y, z);
-        ASSERT_EQ(place.word * 32 + place.bit, 512 + voxel_morton(static_cast<unsigned>(x),
-                                                                  static_cast<unsigned>(y),
-                                                                  static_cast<unsigned>(z)));
+        ASSERT_EQ(place.word * 32 + place.bit,
+                  512 + voxel_morton(static_cast<unsigned>(x), static_cast<unsigned>(y),
+                                     static_cast<unsigned>(z)));
       }
 }
 
@@ -171,8 +172,8 @@ std::string netlist(const std::string& unit, const std::string& parameters) {
 
 // One that has both shows that they would be seen.
 TEST(VoxelAddressRtl, HasNeitherRegistersNorMultipliers) {
-  for (const char* world : {"", "SizeX=2048 SizeY=16384 SizeZ=256 Levels=9",
-                            "SizeX=96 SizeY=1120 SizeZ=32 Levels=4"}) {
+  for (const char* world :
+       {"", "SizeX=2048 SizeY=16384 SizeZ=256 Levels=9", "SizeX=96 SizeY=1120 SizeZ=32 Levels=4"}) {
     const std::string text = netlist("voxel_address", world);
     EXPECT_THAT(text, HasSubstr("module voxel_address"));
     EXPECT_THAT(text, Not(HasSubstr("posedge")));
