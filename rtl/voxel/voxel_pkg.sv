@@ -29,8 +29,6 @@ package voxel_pkg;
   localparam int VoxelMemoryBits = 32;
   localparam int VoxelColumnBits = 25;
   localparam int VoxelHeightBits = 8;
-  localparam int VoxelMaterialBits = 3;
-  localparam int VoxelShadeBits = 4;
   localparam int VoxelMaxSide = 16384;
   localparam int VoxelMaxHeight = 256;
   localparam int VoxelMaxVoxel = 16;
@@ -39,9 +37,6 @@ package voxel_pkg;
   localparam int VoxelLimitBits = 10;
   localparam int VoxelKindBits = 2;
   localparam int VoxelStateBits = 4;
-  localparam int VoxelScanBits = 2;
-  localparam int VoxelColourBits = 24;
-  localparam int VoxelPaletteBits = 7;
   localparam int VoxelBuilderStateBits = 3;
   localparam int VoxelSampleBits = 8;
   localparam int VoxelRectangleBits = 15;
@@ -58,13 +53,6 @@ package voxel_pkg;
     VoxelMove = 4'd6,
     VoxelLimit = 4'd7
   } voxel_state;
-
-  typedef enum logic [1:0] {
-    VoxelScanIdle = 2'd0,
-    VoxelScanRay = 2'd1,
-    VoxelScanShadow = 2'd2,
-    VoxelScanShade = 2'd3
-  } voxel_scan_state;
 
   typedef enum logic [1:0] {
     VoxelSky = 2'd0,

@@ -28,8 +28,6 @@ constexpr int VoxelBitBits = 5;     // of a bit in it
 constexpr int VoxelMemoryBits = 32;
 constexpr int VoxelColumnBits = 25;  // address of a column
 constexpr int VoxelHeightBits = 8;
-constexpr int VoxelMaterialBits = 3;
-constexpr int VoxelShadeBits = 4;  // of a height, that choose one of a material's colours
 constexpr int VoxelMaxSide = 16384;
 constexpr int VoxelMaxHeight = 256;
 constexpr int VoxelMaxVoxel = 16;
@@ -38,9 +36,6 @@ constexpr int VoxelMaxVoxel = 16;
 constexpr int VoxelLimitBits = 10;
 constexpr int VoxelKindBits = 2;
 constexpr int VoxelStateBits = 4;
-constexpr int VoxelScanBits = 2;
-constexpr int VoxelColourBits = 24;
-constexpr int VoxelPaletteBits = 7;  // {material, height}
 constexpr int VoxelBuilderStateBits = 3;
 constexpr int VoxelSampleBits = 8;
 constexpr int VoxelRectangleBits = 15;
@@ -55,14 +50,6 @@ enum voxel_state {
   VoxelLeaf = 5,
   VoxelMove = 6,
   VoxelLimit = 7
-};
-
-/// Where voxel_scan is.
-enum voxel_scan_state {
-  VoxelScanIdle = 0,
-  VoxelScanRay = 1,
-  VoxelScanShadow = 2,
-  VoxelScanShade = 3
 };
 
 /// How a ray ends.

@@ -20,6 +20,9 @@ namespace racebeam {
 
 constexpr std::int64_t VoxelNever = std::int64_t{1} << 31;  ///< as t: no border is met
 
+/// Units from the origin in which positions lie, to both sides.
+constexpr int VoxelFarAway = 1 << (VoxelPositionBits - VoxelPositionFraction - 1);
+
 constexpr bool voxel_parallel(int direction) {
   return (direction < 0 ? -direction : direction) < VoxelParallel;
 }

@@ -21,8 +21,8 @@
 //         for other clocks.
 // Reset   rst_ni = 0: no sample goes on.
 // Knobs   memory_clocks: parameter MemoryClocks; the world's SizeX, SizeY.
-// Twin    rtl/voxel/voxel_leaf.sv
-// Test    tests/voxel/voxel_leaf_test.cpp
+// Twin    none yet
+// Test    tests/voxel/voxel_walker_test.cpp
 // Source  article "Algorithm", step 4.
 //
 // SPDX-FileCopyrightText: racebeam contributors

@@ -64,8 +64,7 @@ struct voxel_leaf_core {
   /// Of the column at a position.
   static std::uint32_t address(const vec3& position, const voxel_knobs& k) {
     const auto wrapped = [](int value, int size) {
-      const int rest = (value >> VoxelPositionFraction) % size;
-      return static_cast<std::uint32_t>(rest < 0 ? rest + size : rest);
+      return static_cast<std::uint32_t>(voxel_wrapped(value >> VoxelPositionFraction, size));
     };
     return wrapped(position[1], k.size_y) * static_cast<std::uint32_t>(k.size_x) +
            wrapped(position[0], k.size_x);

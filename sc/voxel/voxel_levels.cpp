@@ -27,11 +27,6 @@ int floor_log2(int value) {
   return bits;
 }
 
-int modulo(int value, int size) {
-  const int rest = value % size;
-  return rest < 0 ? rest + size : rest;
-}
-
 std::string text(int number) { return std::to_string(number); }
 
 }  // namespace
@@ -83,9 +78,9 @@ voxel_place voxel_levels::place(int k, int x, int y, int z) const {
   const voxel_level& at = level(k);
   voxel_place place;
   place.inside = z >= 0 && z < at.sides[2];
-  x = modulo(x, at.sides[0]);
-  y = modulo(y, at.sides[1]);
-  z = modulo(z, at.sides[2]);
+  x = voxel_wrapped(x, at.sides[0]);
+  y = voxel_wrapped(y, at.sides[1]);
+  z = voxel_wrapped(z, at.sides[2]);
   const int tile = (z / VoxelTile * at.tiles[1] + y / VoxelTile) * at.tiles[0] + x / VoxelTile;
   const std::uint32_t cell = voxel_morton(static_cast<std::uint32_t>(x % VoxelTile),
                                           static_cast<std::uint32_t>(y % VoxelTile),

@@ -36,6 +36,12 @@ struct voxel_place {
 /// Morton order: bit n of x, y and z to bits 3 n, 3 n + 1 and 3 n + 2; ten bits of each.
 std::uint32_t voxel_morton(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
+/// The rest of a division by `size` that is not negative: a place in a world that repeats.
+constexpr int voxel_wrapped(int value, int size) {
+  const int rest = value % size;
+  return rest < 0 ? rest + size : rest;
+}
+
 class voxel_levels {
  public:
   /// `levels`: at most so many. Throws std::invalid_argument with what is wrong and what to do, if

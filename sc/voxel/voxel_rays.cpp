@@ -12,8 +12,6 @@ namespace {
 constexpr int SetupClocks = 18, MoveClocks = 1, DownClocks = 1, ExitClocks = 1;
 constexpr int ReadClocks = 2;  // of a column, beside the memory's own
 
-constexpr int VoxelFarAway = 1 << (VoxelPositionBits - VoxelPositionFraction - 1);  // units
-
 /// One ray on its way.
 class Walk {
  public:

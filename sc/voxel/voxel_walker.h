@@ -37,7 +37,7 @@
 // Knobs   leaf, leaf_steps, raise, group_fetch, memory_clocks and the world's: parameters Leaf,
 //         LeafSteps, Raise, GroupFetch, MemoryClocks, SizeX, SizeY, SizeZ, VoxelX, VoxelY, VoxelZ,
 //         Levels.
-// Twin    rtl/voxel/voxel_walker.sv
+// Twin    none yet
 // Test    tests/voxel/voxel_walker_test.cpp
 // Source  article "Algorithm", "Termination", "Future work".
 //

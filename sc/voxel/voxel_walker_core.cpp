@@ -8,7 +8,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr int FarAway = 1 << (VoxelPositionBits - VoxelPositionFraction - 1);  // units
 constexpr int Byte = 255;
 
 }  // namespace
@@ -44,7 +43,7 @@ voxel_walker_core::moved voxel_walker_core::move(const voxel_knobs& k) const {
   to.voxel[axis_q] += side ? 1 : -1;
   const int at = to.voxel[axis_q] * levels.side(to.level, axis_q);
   to.sky = to.voxel[2] >= levels.level(to.level).sides[2] && !down(2);
-  to.lost = to.voxel[2] < 0 || at < -FarAway || at >= FarAway;
+  to.lost = to.voxel[2] < 0 || at < -VoxelFarAway || at >= VoxelFarAway;
   to.voxel[axis_q] = wrap_signed(to.voxel[axis_q], VoxelCoordinateBits);
   return to;
 }
@@ -154,15 +153,14 @@ void voxel_walker_core::clock(const inputs& in, const voxel_knobs& k) {
       state_q = VoxelFetch;
       break;
     case VoxelFetch: {
-      const bool last = known_q || step == k.memory_clocks;
-      step_q = last ? 0 : step + 1;
-      if (!last) break;
-      step_q = step;  // as occupied() and asks_children() see it
+      if (!known_q && step < k.memory_clocks) {
+        step_q = step + 1;
+        break;
+      }
       occupied_q = occupied(in, k);
       const bool asked = asks_children(k);
       if (asked) children_q = static_cast<int>(in.data >> in.bit & Byte);
       known_q = asked;
-      step_q = 0;
       state_q = occupied_q && level_q > 0 ? VoxelDown : VoxelExit;
       break;
     }

@@ -101,9 +101,7 @@ struct voxel_walker_core {
   bool asks_children(const voxel_knobs& k) const {
     return k.group_fetch && !known_q && level_q > 0;
   }
-  bool last_fetch(const voxel_knobs& k) const { return known_q || step_q == k.memory_clocks; }
   bool occupied(const inputs& in, const voxel_knobs& k) const;
-  bool is_sky(const outputs& o) const { return o.ray_done && o.kind == VoxelSky; }
   void take_ray(const inputs& in);
   void enter(const inputs& in, const outputs& o, const voxel_knobs& k);
   void descend(const inputs& in);

@@ -12,11 +12,6 @@ namespace racebeam {
 
 namespace {
 
-int modulo(int value, int size) {
-  const int rest = value % size;
-  return rest < 0 ? rest + size : rest;
-}
-
 using heights = std::bitset<VoxelMaxHeight>;
 
 /// Voxels of `step` units in a column that have something solid.
@@ -47,8 +42,9 @@ voxel_world::voxel_world(const voxel_levels& levels, std::vector<std::uint32_t> 
 
 std::uint32_t voxel_world::column_address(int x, int y) const {
   const vec3& size = levels_.size();
-  return static_cast<std::uint32_t>(modulo(y, size[1])) * static_cast<std::uint32_t>(size[0]) +
-         static_cast<std::uint32_t>(modulo(x, size[0]));
+  return static_cast<std::uint32_t>(voxel_wrapped(y, size[1])) *
+             static_cast<std::uint32_t>(size[0]) +
+         static_cast<std::uint32_t>(voxel_wrapped(x, size[0]));
 }
 
 void voxel_world::build() {

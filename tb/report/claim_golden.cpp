@@ -25,8 +25,7 @@ constexpr const char* Done = "done";
 constexpr double Barely = 1e-7;
 
 /// The direction that trace_2 takes a ray for: a negative component of n is one of n + 1 (contract
-/// 11.3), and -1 one that is
-/// barely negative.
+/// 11.3), and -1 one that is barely negative.
 GoldenVector meant(const vec3& dr) {
   GoldenVector ray;
   for (std::size_t a = 0; a < 3; ++a) ray[a] = dr[a] < 0 ? dr[a] + 1 - Barely : dr[a] + Barely;

@@ -18,7 +18,7 @@
 namespace racebeam {
 
 struct GoldenSet {
-  const char* name;
+  const char* name;  ///< part of the key of what is kept: to be changed with what `find` does
   std::vector<std::string> columns;
   std::vector<std::int64_t> (*find)(const Show& show, int frame, const knobs& k);
 };

@@ -1,7 +1,7 @@
 // ClaimScene: what claims have measured in one scene, and a sweep's folder that keeps it.
 //
 // The folder is one of `racebeam sweep`: its points are the chips that the claims are about, so
-// status, check, export and report read it. What is there is not measured again.
+// `sweep` status, check and export read it. What is there is not measured again.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

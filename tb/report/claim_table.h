@@ -3,7 +3,7 @@
 // The table is claims.toml, read where the program finds its scenes. A claim has one or several
 // checks: a figure, the knobs of the chip that it is read of, those that it is compared with, what
 // the seed's authors or its inventory expect, and the bounds within which the claim holds. The
-// bounds were written down before anything was measured.
+// file says where the bounds come from.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
