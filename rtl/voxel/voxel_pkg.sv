@@ -40,6 +40,22 @@ package voxel_pkg;
   localparam int VoxelBuilderStateBits = 3;
   localparam int VoxelSampleBits = 8;
   localparam int VoxelRectangleBits = 15;
+  localparam int VoxelScanStateBits = 2;
+  localparam int VoxelRowBits = 9;
+  localparam int VoxelPlaceBits = 10;
+  localparam int VoxelColourBits = 24;
+  localparam int VoxelPaletteBits = 7;
+  localparam int VoxelPaletteEntries = 128;
+  localparam int VoxelPaletteHeights = 16;
+
+  // The sky
+  localparam int VoxelSkyRed = 72;
+  localparam int VoxelSkyGreen = 136;
+  localparam int VoxelSkyBlue = 224;
+  localparam int VoxelSkyRedStep = 8;
+  localparam int VoxelSkyGreenStep = 6;
+  localparam int VoxelSkyBlueStep = 2;
+  localparam int VoxelSkyMiddle = 7;
 
   /* verilator lint_on UNUSEDPARAM */
 
@@ -67,6 +83,13 @@ package voxel_pkg;
     VoxelBuilderFill = 3'd2,
     VoxelBuilderUp = 3'd3
   } voxel_builder_state;
+
+  typedef enum logic [1:0] {
+    VoxelScanIdle = 2'd0,
+    VoxelScanRay = 2'd1,
+    VoxelScanShadow = 2'd2,
+    VoxelScanShade = 2'd3
+  } voxel_scan_state;
 endpackage
 
 `default_nettype wire

@@ -39,6 +39,22 @@ constexpr int VoxelStateBits = 4;
 constexpr int VoxelBuilderStateBits = 3;
 constexpr int VoxelSampleBits = 8;
 constexpr int VoxelRectangleBits = 15;
+constexpr int VoxelScanStateBits = 2;
+constexpr int VoxelRowBits = 9;      // of a picture
+constexpr int VoxelPlaceBits = 10;   // of a picture's column
+constexpr int VoxelColourBits = 24;  // red, green, blue of 8, blue lowest
+constexpr int VoxelPaletteBits = 7;  // material, height
+constexpr int VoxelPaletteEntries = 128;
+constexpr int VoxelPaletteHeights = 16;  // of a material
+
+// The sky: of a ray straight up, and how much more a sixteenth of its slope below that
+constexpr int VoxelSkyRed = 72;
+constexpr int VoxelSkyGreen = 136;
+constexpr int VoxelSkyBlue = 224;
+constexpr int VoxelSkyRedStep = 8;
+constexpr int VoxelSkyGreenStep = 6;
+constexpr int VoxelSkyBlueStep = 2;
+constexpr int VoxelSkyMiddle = 7;  // the slope of which the plain one has its colour
 
 /// Where voxel_walker is.
 enum voxel_state {
@@ -66,6 +82,14 @@ enum voxel_builder_state {
   VoxelBuilderClear = 1,
   VoxelBuilderFill = 2,
   VoxelBuilderUp = 3
+};
+
+/// Where voxel_scan is.
+enum voxel_scan_state {
+  VoxelScanIdle = 0,
+  VoxelScanRay = 1,
+  VoxelScanShadow = 2,
+  VoxelScanShade = 3
 };
 
 }  // namespace racebeam
