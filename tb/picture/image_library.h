@@ -12,6 +12,7 @@
 
 namespace racebeam {
 
+struct GreyPicture;
 struct PictureFormat;
 
 struct ImageLibrary {
@@ -26,6 +27,9 @@ struct ImageLibrary {
   /// what is wrong, or nothing.
   std::string (*encode)(const PictureFormat& format, const std::uint8_t* rgb, int width, int height,
                         std::string& bytes);
+
+  /// Reads a grey picture from a file: read_grey_picture().
+  std::string (*read_grey)(const std::string& path, GreyPicture& to);
 };
 
 /// Opens it at the first call. Throws MissingTool if it or OpenImageIO is not there.

@@ -9,10 +9,12 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "tb/picture/grey_picture.h"
 #include "tb/picture/image_library.h"
 #include "tb/picture/picture_format.h"
 
@@ -96,9 +98,37 @@ std::string encode(const racebeam::PictureFormat& format, const std::uint8_t* rg
   return bytes.empty() ? "nothing was written" : "";
 }
 
+std::string read_grey(const std::string& path, racebeam::GreyPicture& to) {
+  constexpr std::size_t Most = std::size_t{1} << 25;  // pixels: columns of the largest world
+  const auto in = OIIO::ImageInput::open(path);
+  if (!in) {
+    const std::string why = OIIO::geterror();
+    return why.empty() ? "this is no picture" : why;
+  }
+  const OIIO::ImageSpec& spec = in->spec();
+  const int colours = std::min(spec.nchannels, Channels) - (spec.nchannels == 2 ? 1 : 0);
+  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  if (pixels > Most) return "it has more than " + std::to_string(Most) + " pixels";
+  std::vector<std::uint16_t> samples(pixels * colours);
+  if (!in->read_image(0, 0, 0, colours, OIIO::TypeDesc::UINT16, samples.data())) {
+    const std::string why = in->geterror();
+    return why.empty() ? "it ends too early" : why;
+  }
+  const bool narrow = spec.format.size() == 1;
+  to = {spec.width, spec.height, narrow ? 8 : 16, std::vector<std::uint16_t>(pixels)};
+  for (std::size_t n = 0; n < pixels; ++n) {
+    const std::uint16_t* const sample = &samples[n * colours];
+    for (int c = 1; c < colours; ++c)
+      if (sample[c] != sample[0]) return "it has colours: it must be grey";
+    to.pixels[n] = narrow ? sample[0] / 257 : sample[0];
+  }
+  return "";
+}
+
 }  // namespace
 
 extern "C" {
 extern const racebeam::ImageLibrary racebeam_image_library;
-const racebeam::ImageLibrary racebeam_image_library = {OIIO_VERSION_STRING, put_text, encode};
+const racebeam::ImageLibrary racebeam_image_library = {OIIO_VERSION_STRING, put_text, encode,
+                                                       read_grey};
 }
