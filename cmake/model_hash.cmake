@@ -3,7 +3,7 @@
 
 # The sources that can change what a frame counts, or the picture that is meant, by engine: folders,
 # and files by a pattern.
-set(MODEL_ENGINES beam sphere block)
+set(MODEL_ENGINES beam sphere block voxel)
 set(MODEL_OF_beam
     sc/base
     sc/video
@@ -65,8 +65,28 @@ set(MODEL_OF_block
     tb/scene/toml_tree.*
     tb/bench/block_bench.*
     tb/bench/block_tlm_bench.*
+    tb/bench/store_picture.*
     tb/bench/store_pins.*
     tb/judge/block_judge.*
+    tb/sweep/columns.*
+    tb/sweep/picture_frame_judge.*)
+set(MODEL_OF_voxel
+    sc/base
+    sc/video
+    sc/store
+    sc/voxel
+    tb/host/voxel_*
+    tb/golden/voxel_golden.*
+    tb/picture/grey_picture.*
+    tb/scene/voxel_*
+    tb/scene/table_reader.*
+    tb/scene/tables_reader.*
+    tb/scene/toml_tree.*
+    tb/bench/store_picture.*
+    tb/bench/store_pins.*
+    tb/bench/voxel_bench.*
+    tb/bench/voxel_tlm_bench.*
+    tb/judge/voxel_judge.*
     tb/sweep/columns.*
     tb/sweep/picture_frame_judge.*)
 

@@ -7,6 +7,7 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 #include "tb/bench/beam_bench.h"
 #include "tb/bench/block_bench.h"
 #include "tb/bench/block_hands.h"
@@ -14,6 +15,9 @@
 #include "tb/bench/sphere_bench.h"
 #include "tb/bench/sphere_hands.h"
 #include "tb/bench/sphere_tlm_bench.h"
+#include "tb/bench/voxel_bench.h"
+#include "tb/bench/voxel_hands.h"
+#include "tb/bench/voxel_tlm_bench.h"
 
 namespace racebeam {
 
@@ -21,7 +25,8 @@ const std::vector<BenchKind>& benches() {
   static const std::vector<BenchKind> table = {
       {beam_engine(), true, true, make_beam_bench, nullptr, nullptr},
       {sphere_engine(), false, false, make_sphere_bench, make_sphere_hands, sphere_pixels},
-      {block_engine(), false, false, make_block_bench, make_block_hands, block_pixels}};
+      {block_engine(), false, false, make_block_bench, make_block_hands, block_pixels},
+      {voxel_engine(), false, false, make_voxel_bench, make_voxel_hands, voxel_pixels}};
   return table;
 }
 

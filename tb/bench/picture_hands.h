@@ -43,6 +43,8 @@ class PictureHands : public Surroundings {
   /// The picture is over.
   virtual void end() = 0;
 
+  /// In send(): the next clock is the first of a frame.
+  bool frame_is_over() const { return frame_clock_ == 0; }
   /// After this picture, the next one begins with seek().
   void hold() { held_ = true; }
   /// The same, and this one is not looked at any more.

@@ -5,10 +5,12 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 #include "tb/explain/block_explanation.h"
 #include "tb/explain/explain_json.h"
 #include "tb/explain/explain_text.h"
 #include "tb/explain/sphere_explanation.h"
+#include "tb/explain/voxel_explanation.h"
 
 namespace racebeam {
 
@@ -30,7 +32,8 @@ const std::vector<Explainer>& explainers() {
   static const std::vector<Explainer> table = {
       {beam_engine(), beam_size, beam_text, beam_json},
       {sphere_engine(), sphere_size, sphere_explain_text, sphere_explain_json},
-      {block_engine(), block_size_of, block_explain_text, block_explain_json}};
+      {block_engine(), block_size_of, block_explain_text, block_explain_json},
+      {voxel_engine(), voxel_size_of, voxel_explain_text, voxel_explain_json}};
   return table;
 }
 

@@ -12,6 +12,7 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 #include "tb/bench/sphere_bench.h"
 #include "tb/golden/block_golden.h"
 #include "tb/golden/geometry.h"
@@ -19,6 +20,7 @@
 #include "tb/host/sphere_picture.h"
 #include "tb/judge/block_judge.h"
 #include "tb/judge/sphere_judge.h"
+#include "tb/judge/voxel_judge.h"
 
 namespace racebeam {
 
@@ -152,6 +154,23 @@ HitMap block_golden_hits(const Show& show, const knob_values& values, int pictur
   return filled(k.columns(), k.rows(), [&](int x, int y) { return golden.first_hit(x, y); });
 }
 
+template <class Hits>
+HitMap voxel_map(const Show& show, const knob_values& values, int picture, const Hits& hits) {
+  const voxel_knobs k = values;
+  VoxelShow host(voxel_program_of(show.tables()), k);
+  host.go_to(picture);
+  host.next();
+  return {k.picture_width, k.picture_height, hits(host, k)};
+}
+
+HitMap voxel_hits(const Show& show, const knob_values& k, const ChipBench::Frame& frame) {
+  return voxel_map(show, k, frame.number, voxel_first_hits);
+}
+
+HitMap voxel_golden(const Show& show, const knob_values& k, int picture) {
+  return voxel_map(show, k, picture, voxel_golden_hits);
+}
+
 /// Bright colours far from each other.
 std::uint32_t colour_of(int object) {
   constexpr std::uint32_t Grey = 0x404040;
@@ -209,7 +228,8 @@ const std::vector<HitKind>& hit_kinds() {
   static const std::vector<HitKind> table = {
       {beam_engine(), "wall of a room, or around its opening to one", beam_hits, beam_golden_hits},
       {sphere_engine(), "sphere, or plane", sphere_hits, sphere_golden_hits},
-      {block_engine(), "sphere", block_hits, block_golden_hits}};
+      {block_engine(), "sphere", block_hits, block_golden_hits},
+      {voxel_engine(), "column's ground or roof, or what it belongs to", voxel_hits, voxel_golden}};
   return table;
 }
 

@@ -13,6 +13,8 @@
 #include "sc/block/silicon.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/silicon.h"
+#include "sc/voxel/engine.h"
+#include "sc/voxel/silicon.h"
 #include "tb/bench/benches.h"
 #include "tb/host/block_program.h"
 #include "tb/judge/goldens.h"
@@ -64,7 +66,8 @@ const std::vector<CompareKind>& compare_kinds() {
   static const std::vector<CompareKind> table = {
       {beam_engine(), beam_silicon, add_busy_lines, VisibleColumns},
       {sphere_engine(), sphere_silicon, add_pixels, 1},
-      {block_engine(), block_silicon, add_jobs, 1}};
+      {block_engine(), block_silicon, add_jobs, 1},
+      {voxel_engine(), voxel_silicon, add_pixels, 1}};
   return table;
 }
 

@@ -5,9 +5,11 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 #include "tb/report/block_notes.h"
 #include "tb/report/notes_markdown.h"
 #include "tb/report/sphere_notes.h"
+#include "tb/report/voxel_notes.h"
 
 namespace racebeam {
 
@@ -38,7 +40,8 @@ std::unique_ptr<NotedScene> noted_rooms(const Show& show, const knob_values& k) 
 const std::vector<NoteKind>& note_kinds() {
   static const std::vector<NoteKind> table = {{beam_engine(), rooms_head, noted_rooms},
                                               {sphere_engine(), sphere_notes_head, noted_spheres},
-                                              {block_engine(), block_notes_head, noted_blocks}};
+                                              {block_engine(), block_notes_head, noted_blocks},
+                                              {voxel_engine(), voxel_notes_head, noted_voxels}};
   return table;
 }
 

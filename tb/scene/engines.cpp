@@ -7,12 +7,13 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 
 namespace racebeam {
 
 const std::vector<const engine*>& engines() {
   static const std::vector<const engine*> table = {&beam_engine(), &sphere_engine(),
-                                                   &block_engine()};
+                                                   &block_engine(), &voxel_engine()};
   return table;
 }
 

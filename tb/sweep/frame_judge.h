@@ -37,5 +37,6 @@ class FrameJudge {
 std::unique_ptr<FrameJudge> make_beam_frame_judge(const Show& show, const Block& block);
 std::unique_ptr<FrameJudge> make_sphere_frame_judge(const Show& show, const Block& block);
 std::unique_ptr<FrameJudge> make_block_frame_judge(const Show& show, const Block& block);
+std::unique_ptr<FrameJudge> make_voxel_frame_judge(const Show& show, const Block& block);
 
 }  // namespace racebeam

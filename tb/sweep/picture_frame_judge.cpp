@@ -78,4 +78,9 @@ std::unique_ptr<FrameJudge> make_block_frame_judge(const Show& show, const Block
                                "size", "time_skip", "load_bar"});
 }
 
+std::unique_ptr<FrameJudge> make_voxel_frame_judge(const Show& show, const Block& block) {
+  return std::make_unique<PictureFrameJudge>(show, block,
+                                             std::vector<const char*>{"shading", "sky", "shadows"});
+}
+
 }  // namespace racebeam

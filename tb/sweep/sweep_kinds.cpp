@@ -7,6 +7,7 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 #include "tb/sweep/model_hash.h"
 
 namespace racebeam {
@@ -33,7 +34,14 @@ const std::vector<SweepKind>& sweep_kinds() {
        {"picture_error", "clocks", "cores.busy"},
        {"clocks", "bus_stalls"},
        {"time_skip", "load_bar"},
-       make_block_frame_judge}};
+       make_block_frame_judge},
+      {voxel_engine(),
+       {false, SweepReference::Geometry},
+       {"pixels", "golden_error_pixels", "golden_level_pixels"},
+       {"picture_error", "clocks", "fetches"},
+       {"clocks", "buffer_stalls"},
+       {"build_chunk"},
+       make_voxel_frame_judge}};
   return table;
 }
 

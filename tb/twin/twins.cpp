@@ -12,11 +12,13 @@
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_tracer.h"
+#include "sc/voxel/engine.h"
 #include "tb/twin/beam_twins.h"
 #include "tb/twin/block_twins.h"
 #include "tb/twin/sphere_twins.h"
 #include "tb/twin/tracer_walk.h"
 #include "tb/twin/tune_walk.h"
+#include "tb/twin/voxel_twins.h"
 
 namespace racebeam {
 
@@ -68,6 +70,16 @@ Twins block() {
           {}};
 }
 
+Twins voxel() {
+  return {voxel_engine(),
+          [](const knob_values& k, const scene_tables*, bool traced) {
+            return voxel_plugins(k, traced);
+          },
+          [](const knob_values& k) { return voxel_inputs_of(k); },
+          no_top,
+          {}};
+}
+
 }  // namespace
 
 const UnitWalk* Twins::walk(const std::string& unit) const {
@@ -77,7 +89,7 @@ const UnitWalk* Twins::walk(const std::string& unit) const {
 }
 
 const std::vector<Twins>& twins() {
-  static const std::vector<Twins> table = {beam(), sphere(), block()};
+  static const std::vector<Twins> table = {beam(), sphere(), block(), voxel()};
   return table;
 }
 

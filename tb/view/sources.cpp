@@ -10,11 +10,13 @@
 #include "tb/view/beam_sources.h"
 #include "tb/view/block_source.h"
 #include "tb/view/sphere_source.h"
+#include "tb/view/voxel_source.h"
 
 namespace racebeam {
 
 const std::vector<SourceKind>& sources() {
-  static const std::vector<SourceKind> table = {beam_sources(), sphere_sources(), block_sources()};
+  static const std::vector<SourceKind> table = {beam_sources(), sphere_sources(), block_sources(),
+                                                voxel_sources()};
   return table;
 }
 
