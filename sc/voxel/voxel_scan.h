@@ -1,11 +1,10 @@
 // voxel_scan: takes the rays of a picture through its pixels, line by line, left to right.
 //
-// What    A pixel is a ray through the picture, with the knob shadows and kind_i = VoxelHit a
-// second
-//         one to the light, and its colour, which goes to the write buffer: put_address_o = {row of
-//         9 bits, column of 10}, put_data_o = colour_i. max_outer_o and max_inner_o are those of
-//         the ray that starts next: shadow_outer and shadow_inner in RAY, else max_outer and
-//         max_inner; shadow_o likewise.
+// What    A pixel is a ray through the picture, with the knob shadows and kind_i = VoxelHit one to
+//         the light too, and its colour, which goes to the write buffer: put_address_o = {row of 9
+//         bits, column of 10}, put_data_o = colour_i. max_outer_o and max_inner_o are those of the
+//         ray that starts next: shadow_outer and shadow_inner in RAY, else max_outer and max_inner.
+//         shadow_o = 1 in RAY.
 // Size    places of 9 and 10 bits.
 // Cycles  IDLE: start_i = 1 begins a picture: camera_start_o and start_o in that clock, then RAY.
 //         RAY lasts to ray_done_i = 1: take_o in that clock; and start_o, then SHADOW, of a ray

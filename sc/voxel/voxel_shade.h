@@ -3,12 +3,12 @@
 // What    Sky: red, green, blue = VoxelSky* + (15 - slope) * VoxelSky*Step; slope = direction_z_i
 //         >> 12 clamped to 0..15, with sky = plain 7. A limited ray with debug_limits: magenta,
 //         0xff00ff of the outer limit, 0x7f007f of the inner. All others: of palette entry
-//         material * 16 + height / (SizeZ / 16). z is that of the ray's end in whole units. The
-//         upper solid is shown if z >= low, middle < high, and z >= middle, of a ray that does not
-//         go down z + 1 >= middle; height is the cell of the solid nearest to z. With shading =
-//         slope each channel is taken l / 16 times, rounded down, l = clamp(10 - 2 (east - west) -
-//         (north - south), 2, 15): high of the four columns beside if the upper solid is shown,
-//         else low. East is x + 1, north y + 1. Then, with shadowed_i, each channel >> 1.
+//         material * 16 + height * 16 / SizeZ, a power of two. z is that of the ray's end in whole
+//         units. The upper solid is shown if z >= low, middle < high, and z >= middle, of a ray
+//         that does not go down z + 1 >= middle; height is the cell of the solid nearest to z. With
+//         shading = slope each channel is taken l / 16 times, rounded down, l = clamp(10 - 2 (east
+//         - west) - (north - south), 2, 15): high of the four columns beside if the upper solid is
+//         shown, else low. East is x + 1, north y + 1. Then, with shadowed_i, each channel >> 1.
 // Size    a palette of 128 x 24 bits; three multipliers 8 x 4, two for addresses.
 // Cycles  take_i = 1, in the last clock of the picture's ray: kind, end and column, data_i, are
 //         taken at its end. shade_i = 1, in the pixel's last clock of rays, with take_i or later:
@@ -16,8 +16,8 @@
 //         data_i is taken in the last: with leaf = voxel the hit's own column; with shading =
 //         slope east, west, north, south; none for sky and magenta. Then done_o = 1 with colour_o,
 //         until put_ready_i = 1, at least a clock: idle again. In all 1 clock, 13 with slope, and 3
-//         more with leaf = voxel, MemoryClocks = 1. palette_write_i writes an entry at the end of
-//         any clock.
+//         more with leaf = voxel, MemoryClocks = 1; in closed form: voxel_shade_pixel().
+//         palette_write_i writes an entry at the end of any clock.
 // Comb    leaf_read_i, leaf_address_i -> read_o, address_o: what voxel_leaf reads passes while no
 //         own read is under way; direction_z_i -> colour_o.
 // Stall   direction_z_i must be held from shade_i until idle. done_o and colour_o hold.

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "sc/voxel/voxel_colour.h"
 
@@ -29,7 +31,6 @@ inline int page_colour(const voxel_world& world, const voxel_palette& palette, c
     return c[0] * 65536 + c[1] * 256 + c[2];
   };
   if (pixel.kind == VoxelSky) {
-    // 2^-4 is 4096.
     int slope = 7;
     if (k.sky == VoxelSkyGradient) {
       slope = 0;

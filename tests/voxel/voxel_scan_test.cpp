@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tb/twin/unit_bench.h"
 #include "tests/voxel/twins.h"
 
