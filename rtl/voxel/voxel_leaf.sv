@@ -66,19 +66,21 @@ module voxel_leaf #(
     if (active_q) phase_d = phase_q + 1'b1;
     if (sample_o) begin
       phase_d = '0;
-      if (!hit_o) samples_d = samples_q + 1'b1;
-      if (done_o || stop_i) active_d = 1'b0;
-      else t_d = next[voxel_pkg::VoxelTBits-1:0];
+      active_d = !done_o && !stop_i;
+      if (!hit_o) begin
+        samples_d = samples_q + 1'b1;
+        t_d = next[voxel_pkg::VoxelTBits-1:0];
+      end
     end
-    if (start_i && some_o) begin
-      {active_d, phase_d, samples_d} = {1'b1, 4'd0, voxel_pkg::VoxelSampleBits'(0)};
+    if (start_i) begin
+      {active_d, phase_d, samples_d} = {some_o, 4'd0, voxel_pkg::VoxelSampleBits'(0)};
       t_d = first[voxel_pkg::VoxelTBits-1:0];
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) active_q <= 1'b0;
-    else {active_q, phase_q, t_q, samples_q} <= {active_d, phase_d, t_d, samples_d};
+    active_q <= rst_ni && active_d;
+    {phase_q, t_q, samples_q} <= {phase_d, t_d, samples_d};
   end
   assign t_o = t_q;
   assign samples_o = samples_q;

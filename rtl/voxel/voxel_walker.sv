@@ -89,6 +89,8 @@ module voxel_walker #(
   localparam int Bits = voxel_pkg::VoxelCoordinateBits;
   localparam int PositionBits = voxel_pkg::VoxelPositionBits;
   localparam int Fraction = voxel_pkg::VoxelPositionFraction;
+  localparam int DirectionBits = voxel_pkg::VoxelDirectionBits;
+  localparam int LiftCut = voxel_pkg::VoxelDirectionFraction - Fraction + 1;  // and halved
   localparam int TBits = voxel_pkg::VoxelTBits;
   localparam int LevelBits = voxel_pkg::VoxelLevelBits;
   localparam int ShiftBits = 4;  // of a side of a voxel, at most 16 * 2^8
@@ -96,14 +98,12 @@ module voxel_walker #(
   localparam int FirstX = $clog2(VoxelX), FirstY = $clog2(VoxelY), FirstZ = $clog2(VoxelZ);
   localparam logic [LevelBits-1:0] Top = LevelBits'(Levels - 1);
   localparam logic signed [Bits-1:0] Highest = Bits'(((SizeZ / VoxelZ) >> (Levels - 1)) - 1);
-  localparam int InverseCut = voxel_pkg::VoxelInverseFraction - Fraction;
-  localparam int RestBits = 4;  // of a division by 8 at most
   localparam logic [4:0] LastSetup = 5'd17;
   localparam logic [4:0] LastFetch = 5'(MemoryClocks);
   localparam logic [4:0] LastLimit = 5'(MemoryClocks + 1);
 
   typedef logic [PositionBits-1:0] position;
-  typedef logic [voxel_pkg::VoxelDirectionBits-1:0] direction;
+  typedef logic [DirectionBits-1:0] direction;
   typedef logic [TBits-1:0] ray_t;  // unsigned 24.8
 
   logic [voxel_pkg::VoxelStateBits-1:0] state_q, state_d;
@@ -130,9 +130,9 @@ module voxel_walker #(
   wire logic takes = setup && step_q == '0;
   wire logic enters = setup && step_q == LastSetup;
 
-  wire logic plus_x = !direction_x_q[voxel_pkg::VoxelDirectionBits-1];
-  wire logic plus_y = !direction_y_q[voxel_pkg::VoxelDirectionBits-1];
-  wire logic plus_z = !direction_z_q[voxel_pkg::VoxelDirectionBits-1];
+  wire logic plus_x = !direction_x_q[DirectionBits-1];
+  wire logic plus_y = !direction_y_q[DirectionBits-1];
+  wire logic plus_z = !direction_z_q[DirectionBits-1];
 
   // --- Borders ---------------------------------------------------------------------------------
   // That of a voxel in units; sides are shifts.
@@ -187,6 +187,19 @@ module voxel_walker #(
       .beyond_o(beyond_z)
   );
 
+  // --- SETUP: where a shadow's ray begins -------------------------------------------------------
+  // 1.5 units towards the light.
+  function automatic position lifted(input position hit, input direction light);
+    /* verilator lint_off UNUSEDSIGNAL */  // it is rounded down
+    logic [DirectionBits+1:0] thrice;
+    /* verilator lint_on UNUSEDSIGNAL */
+    thrice = {{2{light[DirectionBits-1]}}, light} + {light[DirectionBits-1], light, 1'b0};
+    lifted = hit + PositionBits'(signed'(thrice[DirectionBits+1:LiftCut]));
+  endfunction
+  wire position shadow_x = lifted(hit_x_q, light_x_i);
+  wire position shadow_y = lifted(hit_y_q, light_y_i);
+  wire position shadow_z = lifted(hit_z_q, light_z_i);
+
   // --- SETUP: entry, and what lies between samples ---------------------------------------------
   wire logic from_above = beyond_z;
   wire ray_t t_in = from_above ? t_z : '0;
@@ -200,26 +213,19 @@ module voxel_walker #(
   wire logic signed [Bits-1:0] in_z = unit_z >>> (FirstZ + Levels - 1);
   wire logic too_high = from_above && in_z > Highest;
 
-  function automatic ray_t step_of(input ray_t value, input logic parallel,
-                                         input logic [voxel_pkg::VoxelInverseBits-1:0] inverse);
-    step_of = value;
-    if (!parallel && TBits'(inverse >> InverseCut) < value)
-      step_of = TBits'(inverse >> InverseCut);
-  endfunction
-
-  // By a constant: the rest has few bits.
-  function automatic ray_t per_unit(input ray_t value);
-    logic [RestBits-1:0] rest;
-    rest = '0;
-    for (int n = TBits - 1; n >= 0; n--) begin
-      rest = {rest[RestBits-2:0], value[n]};
-      per_unit[n] = rest >= RestBits'(LeafSteps);
-      if (per_unit[n]) rest = rest - RestBits'(LeafSteps);
-    end
-  endfunction
+  wire ray_t leaf_step;
+  voxel_step #(
+      .LeafSteps(LeafSteps)
+  ) u_voxel_step (
+      .inverse_x_i(inverse_x_i),
+      .inverse_y_i(inverse_y_i),
+      .inverse_z_i(inverse_z_i),
+      .parallel_i({parallel_z, parallel_y, parallel_x}),
+      .step_o(leaf_step)
+  );
 
   // --- FETCH -----------------------------------------------------------------------------------
-  wire logic group = GroupFetch != 0 && fetch && !known_q && level_q != '0;
+  wire logic group = GroupFetch != 0 && !known_q && level_q != '0;
   assign x_o = group ? voxel_x_q << 1 : voxel_x_q;
   assign y_o = group ? voxel_y_q << 1 : voxel_y_q;
   assign z_o = group ? voxel_z_q << 1 : voxel_z_q;
@@ -230,10 +236,8 @@ module voxel_walker #(
   wire logic [7:0] children = data_i[{bit_i[4:3], 3'b0}+:8];
   logic occupied;
   always_comb begin
-    occupied = data_i[bit_i];
-    if (known_q) occupied = children_q[bit_i[2:0]];
-    else if (group) occupied = children != '0;
-    if (!inside_i) occupied = 1'b0;
+    occupied = inside_i && (group ? children != '0 : children[bit_i[2:0]]);
+    if (known_q) occupied = children_q[{voxel_z_q[0], voxel_y_q[0], voxel_x_q[0]}];
   end
 
   // --- DOWN: halves that are the far ones ------------------------------------------------------
@@ -284,7 +288,8 @@ module voxel_walker #(
   assign inner_o = leaf && sample_i && !hit_i;
   wire logic stops = move && !leaves_world && outside || (outer_o || inner_o) && reached_i;
   wire logic is_sky = enters && from_above && plus_z || leaves_world || stops && plus_z;
-  wire logic is_hit = leaf && sample_i && hit_i || Leaf == 1 && leave && occupied_q && has_length;
+  wire logic is_voxel = Leaf == 1 && leave && occupied_q;
+  wire logic is_hit = leaf && hit_i || is_voxel && has_length;
   wire logic limited = limit && step_q == LastLimit;
   assign ray_done_o = is_sky || is_hit || limited;
   always_comb begin
@@ -300,9 +305,8 @@ module voxel_walker #(
     if (unit < voxel) kept_in = {voxel, {Fraction{1'b0}}};
     if (unit > voxel) kept_in = {voxel, {Fraction{1'b1}}};
   endfunction
-  wire logic bounded = Leaf == 1 && leave;
-  assign hit_x_o = bounded ? kept_in(position_x_i, unit_x, voxel_x_q) : position_x_i;
-  assign hit_y_o = bounded ? kept_in(position_y_i, unit_y, voxel_y_q) : position_y_i;
+  assign hit_x_o = is_voxel ? kept_in(position_x_i, unit_x, voxel_x_q) : position_x_i;
+  assign hit_y_o = is_voxel ? kept_in(position_y_i, unit_y, voxel_y_q) : position_y_i;
   assign hit_z_o = position_z_i;
 
   // --- States ----------------------------------------------------------------------------------
@@ -314,8 +318,8 @@ module voxel_walker #(
         if (fetched)
           state_d = occupied && level_q != '0 ? voxel_pkg::VoxelDown : voxel_pkg::VoxelExit;
       voxel_pkg::VoxelDown: state_d = voxel_pkg::VoxelFetch;
-      voxel_pkg::VoxelExit: state_d = leaf_o ? voxel_pkg::VoxelLeaf : voxel_pkg::VoxelMove;
-      voxel_pkg::VoxelLeaf: if (inner_o && done_i) state_d = voxel_pkg::VoxelMove;
+      voxel_pkg::VoxelExit: state_d = leaf_o && some_i ? voxel_pkg::VoxelLeaf : voxel_pkg::VoxelMove;
+      voxel_pkg::VoxelLeaf: if (done_i) state_d = voxel_pkg::VoxelMove;
       voxel_pkg::VoxelMove: state_d = voxel_pkg::VoxelFetch;
       default: ;
     endcase
@@ -347,39 +351,35 @@ module voxel_walker #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) state_q <= voxel_pkg::VoxelIdle;
-    else begin
-      {state_q, step_q, level_q, t_q} <= {state_d, step_d, level_d, t_d};
-      {voxel_x_q, voxel_y_q, voxel_z_q} <= {voxel_x_d, voxel_y_d, voxel_z_d};
-      if (start_i && (ray_done_o || state_q == voxel_pkg::VoxelIdle)) shadow_q <= shadow_i;
-      if (takes) begin
-        {origin_x_q, origin_y_q, origin_z_q} <=
-            shadow_q ? {hit_x_q, hit_y_q, hit_z_q} : {origin_x_i, origin_y_i, origin_z_i};
-        {direction_x_q, direction_y_q, direction_z_q} <=
-            shadow_q ? {light_x_i, light_y_i, light_z_i}
-                     : {direction_x_i, direction_y_i, direction_z_i};
-      end
-      if (enters)
-        leaf_step_q <= per_unit(step_of(step_of(step_of(
-            '1, parallel_x, inverse_x_i), parallel_y, inverse_y_i), parallel_z, inverse_z_i));
-      if (fetched) begin
-        occupied_q <= occupied;
-        known_q <= group;
-        if (group) children_q <= children;
-      end
-      if (enters || move) known_q <= 1'b0;
-      if (leave) {axis_q, t_out_q} <= {axis, t_out};
-      if (stops) inner_q <= leaf;
-      if (ray_done_o) {hit_x_q, hit_y_q, hit_z_q} <= {hit_x_o, hit_y_o, hit_z_o};
+    state_q <= rst_ni ? state_d : voxel_pkg::VoxelIdle;
+    {step_q, level_q, t_q} <= {step_d, level_d, t_d};
+    {voxel_x_q, voxel_y_q, voxel_z_q} <= {voxel_x_d, voxel_y_d, voxel_z_d};
+    if (start_i && (ray_done_o || state_q == voxel_pkg::VoxelIdle)) shadow_q <= shadow_i;
+    if (takes) begin
+      {origin_x_q, origin_y_q, origin_z_q} <=
+          shadow_q ? {shadow_x, shadow_y, shadow_z} : {origin_x_i, origin_y_i, origin_z_i};
+      {direction_x_q, direction_y_q, direction_z_q} <=
+          shadow_q ? {light_x_i, light_y_i, light_z_i}
+                   : {direction_x_i, direction_y_i, direction_z_i};
     end
+    if (enters) leaf_step_q <= leaf_step;
+    if (fetched) begin
+      occupied_q <= occupied;
+      known_q <= group;
+      if (group) children_q <= children;
+    end
+    if (enters || leave) known_q <= 1'b0;
+    if (leave) {axis_q, t_out_q} <= {axis, t_out};
+    if (stops) inner_q <= leaf;
+    if (ray_done_o && !shadow_q) {hit_x_q, hit_y_q, hit_z_q} <= {hit_x_o, hit_y_o, hit_z_o};
   end
 
   // --- Outputs ---------------------------------------------------------------------------------
   assign setup_o = setup && step_q == 5'd1;
   assign {ray_x_o, ray_y_o, ray_z_o} = {direction_x_q, direction_y_q, direction_z_q};
   assign {from_x_o, from_y_o, from_z_o} = {origin_x_q, origin_y_q, origin_z_q};
-  assign leaf_o = Leaf == 0 && leave && occupied_q && some_i;
-  assign at_o = !leaf;
+  assign leaf_o = Leaf == 0 && leave && occupied_q;
+  assign at_o = enters || leave || limit;
   assign column_o = limit && step_q == '0;
   assign t_o = enters ? t_in : t_q;
   assign t_out_o = leave ? t_out : t_out_q;

@@ -8,7 +8,8 @@ namespace racebeam {
 
 namespace {
 
-constexpr int Byte = 255;
+/// Of the eight voxels whose byte has the bit.
+int children(const voxel_walker_core::inputs& in) { return in.data >> (in.bit & ~7) & 255; }
 
 }  // namespace
 
@@ -51,8 +52,7 @@ voxel_walker_core::moved voxel_walker_core::move(const voxel_knobs& k) const {
 bool voxel_walker_core::occupied(const inputs& in, const voxel_knobs& k) const {
   if (known_q)
     return children_q >> ((voxel_q[0] & 1) | (voxel_q[1] & 1) << 1 | (voxel_q[2] & 1) << 2) & 1;
-  const std::uint32_t bits = in.data >> in.bit;
-  return in.inside && (asks_children(k) ? bits & Byte : bits & 1);
+  return in.inside && (asks_children(k) ? children(in) : in.data >> in.bit & 1);
 }
 
 voxel_walker_core::outputs voxel_walker_core::comb(const inputs& in, const voxel_knobs& k) const {
@@ -159,7 +159,7 @@ void voxel_walker_core::clock(const inputs& in, const voxel_knobs& k) {
       }
       occupied_q = occupied(in, k);
       const bool asked = asks_children(k);
-      if (asked) children_q = static_cast<int>(in.data >> in.bit & Byte);
+      if (asked) children_q = children(in);
       known_q = asked;
       state_q = occupied_q && level_q > 0 ? VoxelDown : VoxelExit;
       break;
