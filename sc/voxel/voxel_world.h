@@ -67,15 +67,12 @@ class voxel_world {
     return p.inside && (occupancy_[p.word] >> p.bit & 1);
   }
 
-  /// Occupancy of all levels from the columns. In closed form: voxel_builder's result, without its
-  /// clocks.
+  /// Occupancy of all levels from the columns: voxel_build(), without its clocks.
   void build();
   /// Occupied voxels of all levels.
   std::uint64_t bits_set() const;
 
  private:
-  void build_base();
-
   voxel_levels levels_;
   std::vector<std::uint32_t> columns_, occupancy_;
 };
