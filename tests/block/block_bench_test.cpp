@@ -11,25 +11,10 @@
 #include "sc/block/engine.h"
 #include "tb/bench/block_signal_bench.h"
 #include "tb/bench/block_tlm_bench.h"
+#include "tests/support/frames_alike.h"
 
 namespace racebeam {
 namespace {
-
-void expect_same(const ChipBench::Frame& a, const ChipBench::Frame& b) {
-  EXPECT_EQ(a.number, b.number);
-  const auto& infos = block_engine().counters;
-  for (std::size_t n = 0; n < infos.size(); ++n)
-    EXPECT_EQ(a.stats->counters[n], b.stats->counters[n])
-        << infos[n].name << " of picture " << a.number;
-  EXPECT_EQ(a.stats->histograms, b.stats->histograms);
-  EXPECT_EQ(a.time.clocks, b.time.clocks);
-  EXPECT_EQ(a.time.frames, b.time.frames);
-  EXPECT_EQ(a.picture.width, b.picture.width);
-  EXPECT_EQ(a.picture.bits, b.picture.bits);
-  EXPECT_TRUE(a.picture.colours == b.picture.colours) << "picture " << a.number;
-  EXPECT_EQ(a.picture.image_crc, b.picture.image_crc);
-  EXPECT_EQ(a.picture.pins_crc, b.picture.pins_crc);
-}
 
 /// Two small balls that come nearer.
 BlockProgram small_program() {
@@ -48,7 +33,7 @@ void expect_levels_alike(const BlockProgram& program, const std::vector<int>& pi
   for (const int n : pictures) {
     tlm.seek(n);
     signal.seek(n);
-    expect_same(signal.render(), tlm.render());
+    expect_same(block_engine(), signal.render(), tlm.render());
     EXPECT_EQ(signal.words(), tlm.words());
   }
 }
@@ -115,7 +100,7 @@ TEST(BlockBench, APictureLeftInTheMiddleIsNotInTheNext) {
   left.seek(5);
   BlockTlmBench tlm(setting, {});
   tlm.seek(5);
-  expect_same(left.render(), tlm.render());
+  expect_same(block_engine(), left.render(), tlm.render());
 }
 
 }  // namespace
