@@ -5,13 +5,20 @@
 namespace racebeam {
 
 void voxel_collector::count_walker(const voxel_wires& w) {
-  const auto level = static_cast<std::size_t>(w.level);
-  if (walker_state_ == VoxelMove && w.level > level_)
-    now_.walked.raises += static_cast<unsigned>(w.level - level_);
-  if (w.walker_state == VoxelFetch && walker_state_ != VoxelFetch) {
-    ++now_.walked.fetches_by_level[level];
-    now_.walked.words_by_level[level] += w.fetch;
+  // In FETCH the level may be that of the children.
+  if (w.walker_state == VoxelFetch) {
+    read_ |= w.fetch;
+  } else if (moved_from_ >= 0) {
+    now_.walked.raises += static_cast<unsigned>(w.level - moved_from_);
+    moved_from_ = -1;
   }
+  if (w.walker_state == VoxelDown || w.walker_state == VoxelExit) {
+    const auto level = static_cast<std::size_t>(w.level);
+    ++now_.walked.fetches_by_level[level];
+    now_.walked.words_by_level[level] += read_;
+    read_ = false;
+  }
+  if (w.walker_state == VoxelMove) moved_from_ = w.level;
   now_.walked.descents += w.walker_state == VoxelDown;
   now_.walked.moves += w.walker_state == VoxelMove;
   now_.walked.samples += w.sample;
@@ -46,9 +53,7 @@ void voxel_collector::observe(const voxel_wires& w) {
   }
   frame_begins_ = w.store.frame_end;
   const bool over = scan_state_ != VoxelScanIdle && w.scan_state == VoxelScanIdle;
-  walker_state_ = w.walker_state;
   scan_state_ = w.scan_state;
-  level_ = w.level;
   if (!over) return;
   last_ = now_;
   now_ = {};

@@ -43,8 +43,9 @@ class voxel_collector {
   const store_knobs store_knobs_;
   voxel_counters now_, last_;
   int pictures_ = 0;
-  // Of the clock before
-  int walker_state_ = VoxelIdle, scan_state_ = VoxelScanIdle, level_ = 0;
+  int scan_state_ = VoxelScanIdle;  // of the clock before
+  int moved_from_ = -1;             // the level that a ray left; -1: it has not moved since
+  bool read_ = false;               // a word, for the voxel that is looked at
   bool frame_begins_ = true;
 };
 
