@@ -18,7 +18,8 @@ module voxel_limits (
     // voxel_walker
     output logic reached_o
 );
-  typedef logic [voxel_pkg::VoxelLimitBits-1:0] count;
+  localparam int Bits = voxel_pkg::VoxelLimitBits;
+  typedef logic [Bits-1:0] count;
 
   count outer_q, inner_q;  // left
 
@@ -30,7 +31,7 @@ module voxel_limits (
     end
   end
 
-  assign reached_o = outer_i && outer_q == '0 || inner_i && inner_q <= count'(1);
+  assign reached_o = outer_i && outer_q == '0 || inner_i && inner_q <= Bits'(1);
 endmodule
 
 `default_nettype wire

@@ -26,7 +26,7 @@ module voxel_step #(
 
   logic [TBits-1:0] unit;
   assign unit = smaller(
-      smaller(smaller('1, parallel_i[0], inverse_x_i), parallel_i[1], inverse_y_i),
+      smaller(smaller({TBits{1'b1}}, parallel_i[0], inverse_x_i), parallel_i[1], inverse_y_i),
       parallel_i[2], inverse_z_i);
 
   logic [RestBits-1:0] rest;

@@ -318,7 +318,8 @@ module voxel_walker #(
         if (fetched)
           state_d = occupied && level_q != '0 ? voxel_pkg::VoxelDown : voxel_pkg::VoxelExit;
       voxel_pkg::VoxelDown: state_d = voxel_pkg::VoxelFetch;
-      voxel_pkg::VoxelExit: state_d = leaf_o && some_i ? voxel_pkg::VoxelLeaf : voxel_pkg::VoxelMove;
+      voxel_pkg::VoxelExit:
+        state_d = leaf_o && some_i ? voxel_pkg::VoxelLeaf : voxel_pkg::VoxelMove;
       voxel_pkg::VoxelLeaf: if (done_i) state_d = voxel_pkg::VoxelMove;
       voxel_pkg::VoxelMove: state_d = voxel_pkg::VoxelFetch;
       default: ;
@@ -351,8 +352,8 @@ module voxel_walker #(
   end
 
   always_ff @(posedge clk_i) begin
-    state_q <= rst_ni ? state_d : voxel_pkg::VoxelIdle;
-    {step_q, level_q, t_q} <= {step_d, level_d, t_d};
+    {state_q, step_q} <= rst_ni ? {state_d, step_d} : {voxel_pkg::VoxelIdle, 5'd0};
+    {level_q, t_q} <= {level_d, t_d};
     {voxel_x_q, voxel_y_q, voxel_z_q} <= {voxel_x_d, voxel_y_d, voxel_z_d};
     if (start_i && (ray_done_o || state_q == voxel_pkg::VoxelIdle)) shadow_q <= shadow_i;
     if (takes) begin
@@ -370,7 +371,7 @@ module voxel_walker #(
     end
     if (enters || leave) known_q <= 1'b0;
     if (leave) {axis_q, t_out_q} <= {axis, t_out};
-    if (stops) inner_q <= leaf;
+    if (leaf || move) inner_q <= leaf;
     if (ray_done_o && !shadow_q) {hit_x_q, hit_y_q, hit_z_q} <= {hit_x_o, hit_y_o, hit_z_o};
   end
 

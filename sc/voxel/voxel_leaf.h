@@ -3,26 +3,27 @@
 //
 // What    Samples lie at t = t_from_i + step_i / 2 (rounded down), and every step_i from there,
 //         while t < t_to_i. hit_o = 1 in the last clock of a sample whose point is in the solid of
-//         its column: z < low, or middle <= z < high, in whole units. t_o is the t of the sample.
-//         position_*_o = origin + floor(t * direction / 2^16), 16.8 modulo 2^16, at t_from_i with
-//         at_i = 1, else at t_o. samples_o counts the samples of this voxel that have ended
-//         without a hit, modulo 256. address_o is the column of the position in the world that
-//         repeats, y * SizeX + x.
+//         its column: z < low, or middle <= z < high, in whole units. t_o is the t of the sample,
+//         after one without a hit that of the next, modulo 2^32. position_*_o = origin + floor(t *
+//         direction / 2^16), 16.8 modulo 2^16, at t_from_i with at_i = 1, else at t_o. samples_o
+//         counts the samples since start_i that have ended without a hit, modulo 256. address_o is
+//         the column of the position in the world that repeats, y * SizeX + x.
 // Size    three multipliers 32 x 18; an adder of 33 bits for the next t.
-// Cycles  start_i = 1 starts, if some_o = 1; the first sample begins in the next clock. A sample
-//         takes 2 + MemoryClocks clocks: read_o = 1 in the first one; data_i is taken in the last
-//         one, in which sample_o = 1. done_o = 1 if that was the voxel's last: a hit, or t_o +
-//         step_i >= t_to_i. Else the next sample begins in the next clock, but with stop_i = 1
-//         none does. fetch_i = 1 sets read_o too.
+// Cycles  start_i = 1 ends what goes on, sets t_o to the first t and samples_o to 0; with some_o =
+//         1 the first sample begins in the next clock. A sample takes 2 + MemoryClocks clocks:
+//         read_o = 1 in the first one; data_i is taken in the last one, in which sample_o = 1.
+//         done_o = 1 if that was the voxel's last: a hit, or t_o + step_i >= t_to_i. Else the next
+//         sample begins in the next clock, but with stop_i = 1 in that of sample_o none does.
+//         fetch_i = 1 sets read_o too.
 // Comb    t_from_i, t_to_i, step_i -> some_o = t_from_i + step_i / 2 < t_to_i; at_i, t_from_i,
 //         origin_*_i, direction_*_i -> position_*_o, address_o; fetch_i -> read_o; data_i, t_to_i,
 //         step_i, position -> hit_o, done_o. Sums of t have 33 bits.
 // Stall   t_to_i, step_i, origin and direction must be held while a voxel is sampled; at_i = 1 is
 //         for other clocks.
-// Reset   rst_ni = 0: no sample goes on.
+// Reset   rst_ni = 0: no sample goes on, and none begins. Other registers go on.
 // Knobs   memory_clocks: parameter MemoryClocks; the world's SizeX, SizeY.
-// Twin    none yet
-// Test    tests/voxel/voxel_walker_test.cpp
+// Twin    rtl/voxel/voxel_leaf.sv
+// Test    tests/voxel/voxel_leaf_test.cpp
 // Source  article "Algorithm", step 4.
 //
 // SPDX-FileCopyrightText: racebeam contributors

@@ -4,18 +4,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "sc/voxel/voxel_address.h"
+#include "sc/voxel/voxel_camera.h"
 #include "sc/voxel/voxel_leaf.h"
+#include "sc/voxel/voxel_limits.h"
 #include "sc/voxel/voxel_parameters.h"
+#include "sc/voxel/voxel_setup.h"
 #include "sc/voxel/voxel_walker.h"
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_text.h"
 #include "tb/twin/plugin_maker.h"
 #include "tb/twin/random_traffic.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/voxel/knob_sets.h"
 
 namespace racebeam {
 namespace {
@@ -33,58 +42,48 @@ template <class Unit>
 Module with_knobs(const voxel_knobs& k) {
   return std::make_unique<Unit>("model", k);
 }
-
-voxel_knobs world(const vec3& size, const vec3& voxel, int levels, int memory_clocks) {
-  voxel_knobs k;
-  k.size_x = size[0], k.size_y = size[1], k.size_z = size[2];
-  k.voxel_x = voxel[0], k.voxel_y = voxel[1], k.voxel_z = voxel[2];
-  k.levels = levels;
-  k.memory_clocks = memory_clocks;
-  return k;
-}
-
-struct Rules {
-  int leaf, leaf_steps, raise, group_fetch;
-};
-voxel_knobs with(voxel_knobs k, const Rules& rules) {
-  k.leaf = rules.leaf;
-  k.leaf_steps = rules.leaf_steps;
-  k.raise = rules.raise;
-  k.group_fetch = rules.group_fetch;
-  return k;
+template <class Unit>
+Module without_knobs(const voxel_knobs&) {
+  return std::make_unique<Unit>("model");
 }
 
 std::vector<Pair> pairs() {
-  const voxel_knobs tiny;
-  const voxel_knobs cubes = world({64, 64, 32}, {1, 1, 1}, 9, 2);
-  const voxel_knobs odd = world({96, 160, 64}, {2, 4, 1}, 4, 3);
-  const voxel_knobs large = world({2048, 16384, 256}, {16, 8, 1}, 9, 8);
-  return {{"voxel_leaf", "tiny", with_knobs<voxel_leaf>, tiny},
-          {"voxel_leaf", "odd", with_knobs<voxel_leaf>, odd},
-          {"voxel_leaf", "large", with_knobs<voxel_leaf>, large},
-          {"voxel_walker", "tiny", with_knobs<voxel_walker>, tiny},
-          {"voxel_walker", "tiny_in_groups", with_knobs<voxel_walker>,
-           with(tiny, {VoxelLeafMarch, 2, VoxelRaiseOne, 1})},
-          {"voxel_walker", "cubes", with_knobs<voxel_walker>,
-           with(cubes, {VoxelLeafVoxel, 1, VoxelRaiseOne, 0})},
-          {"voxel_walker", "cubes_in_groups_all_up", with_knobs<voxel_walker>,
-           with(cubes, {VoxelLeafVoxel, 1, VoxelRaiseAll, 1})},
-          {"voxel_walker", "odd_in_groups", with_knobs<voxel_walker>,
-           with(odd, {VoxelLeafMarch, 3, VoxelRaiseOne, 1})},
-          {"voxel_walker", "large_all_up", with_knobs<voxel_walker>,
-           with(large, {VoxelLeafMarch, 8, VoxelRaiseAll, 0})},
-          {"voxel_walker", "one_level", with_knobs<voxel_walker>,
-           with(world({48, 80, 16}, {1, 2, 1}, 1, 1), {VoxelLeafMarch, 7, VoxelRaiseOne, 0})}};
+  const auto leaf = [](const char* name, const voxel_knobs& k) {
+    return Pair{"voxel_leaf", name, with_knobs<voxel_leaf>, k};
+  };
+  const auto walker = [](const char* name, const voxel_knobs& k) {
+    return Pair{"voxel_walker", name, with_knobs<voxel_walker>, k};
+  };
+  return {{"voxel_address", "tiny", with_knobs<voxel_address>, tiny_set()},
+          {"voxel_address", "odd", with_knobs<voxel_address>, odd_set()},
+          {"voxel_setup", "odd", without_knobs<voxel_setup>, odd_set()},
+          {"voxel_camera", "odd", without_knobs<voxel_camera>, odd_set()},
+          {"voxel_limits", "odd", without_knobs<voxel_limits>, odd_set()},
+          leaf("tiny", tiny_set()),
+          leaf("odd", odd_set()),
+          leaf("large", large_set()),
+          walker("tiny", tiny_set()),
+          walker("tiny_in_groups", with(tiny_set(), {2, false, true, false})),
+          walker("cubes", cubes_set()),
+          walker("cubes_one_up", with(cubes_set(), {1, true, false, false})),
+          walker("odd", odd_set()),
+          walker("coarse", coarse_set()),
+          walker("one_level", one_level_set()),
+          walker("large", large_set())};
 }
 
 class VoxelLockstep : public testing::TestWithParam<Pair> {
  protected:
+  /// Of the unit's own RTL.
   void agrees_in_random_traffic(int clocks) {
+    const std::vector<rtl_parameter> wanted = voxel_parameters(GetParam().k);
+    agrees(wanted, PluginMaker(wanted).own(GetParam().unit), clocks);
+  }
+  void agrees(const std::vector<rtl_parameter>& wanted, const std::string& plugin, int clocks) {
     constexpr unsigned Seed = 1;
     const Pair& pair = GetParam();
     const Module unit = pair.make(pair.k);
-    Lockstep lockstep("lockstep", pair.unit, *unit, voxel_parameters(pair.k),
-                      PluginMaker(voxel_parameters(pair.k)).own(pair.unit));
+    Lockstep lockstep("lockstep", pair.unit, *unit, wanted, plugin);
     UnitBench bench(*unit, &lockstep.clk_i);
     RandomTraffic traffic(bench, LegalInputs({}), Seed);
     bench.between_edges([&] { traffic.next(); });
@@ -104,6 +103,35 @@ TEST_P(VoxelLockstep, AgreesInRandomTraffic) { agrees_in_random_traffic(40'000);
 using LongVoxelLockstep = VoxelLockstep;
 INSTANTIATE_TEST_SUITE_P(LongPairs, LongVoxelLockstep, testing::ValuesIn(pairs()), name_of);
 TEST_P(LongVoxelLockstep, AgreesInLongRandomTraffic) { agrees_in_random_traffic(1'000'000); }
+
+// What yosys makes of it, with the parameters that it has.
+class VoxelNetlist : public VoxelLockstep {
+ protected:
+  std::string settings() const {
+    std::ifstream file(RACEBEAM_SOURCE_DIR "/rtl/voxel/" + GetParam().unit + ".sv");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string all;
+    for (const rtl_parameter& each : voxel_parameters(GetParam().k))
+      if (text.find("parameter int " + each.name + " =") != std::string::npos)
+        all += " " + each.name + "=" + std::to_string(each.value);
+    return all;
+  }
+};
+std::vector<Pair> netlists() {
+  std::vector<Pair> some;
+  for (const Pair& pair : pairs())
+    if (pair.name == "odd" || pair.name == "cubes") some.push_back(pair);
+  return some;
+}
+INSTANTIATE_TEST_SUITE_P(Netlists, VoxelNetlist, testing::ValuesIn(netlists()), name_of);
+TEST_P(VoxelNetlist, AgreesInRandomTraffic) {
+  const ScratchFolder folder;
+  const std::string netlist = folder / (GetParam().unit + ".v");
+  const std::string command = "'" RACEBEAM_SOURCE_DIR "/scripts/netlist' " + GetParam().unit +
+                              " '" + netlist + "'" + settings();
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  agrees({}, PluginMaker({}).users(GetParam().unit, netlist), 20'000);
+}
 
 }  // namespace
 }  // namespace racebeam

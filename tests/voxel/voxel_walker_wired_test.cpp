@@ -5,10 +5,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "sc/voxel/voxel_rays.h"
 #include "tb/twin/unit_bench.h"
+#include "tests/voxel/knob_sets.h"
 #include "tests/voxel/rough_rays.h"
 #include "tests/voxel/tiny_world.h"
 #include "tests/voxel/walker_rig.h"
@@ -129,39 +131,16 @@ class VoxelWalkerWired : public testing::Test {
 using Kinds = testing::Types<AllModels, AllRtl>;
 TYPED_TEST_SUITE(VoxelWalkerWired, Kinds);
 
-voxel_knobs world(const vec3& size, const vec3& voxel, int levels, int memory_clocks) {
-  voxel_knobs k;
-  k.size_x = size[0], k.size_y = size[1], k.size_z = size[2];
-  k.voxel_x = voxel[0], k.voxel_y = voxel[1], k.voxel_z = voxel[2];
-  k.levels = levels;
-  k.memory_clocks = memory_clocks;
-  return k;
+TYPED_TEST(VoxelWalkerWired, GoesThroughTallVoxels) { this->expect_the_closed_form(tiny_set()); }
+TYPED_TEST(VoxelWalkerWired, GoesThroughCubesThatAreHits) {
+  this->expect_the_closed_form(cubes_set());
 }
-
-TYPED_TEST(VoxelWalkerWired, GoesThroughTallVoxels) {
-  this->expect_the_closed_form(world({64, 64, 32}, {1, 4, 1}, 9, 1));
+TYPED_TEST(VoxelWalkerWired, GoesThroughAWorldOfOddSides) {
+  this->expect_the_closed_form(odd_set());
 }
-TYPED_TEST(VoxelWalkerWired, GoesThroughCubesThatAreHitsThemselves) {
-  voxel_knobs k = world({64, 128, 32}, {1, 1, 1}, 9, 2);
-  k.leaf = VoxelLeafVoxel;
-  k.raise = VoxelRaiseAll;
-  this->expect_the_closed_form(k);
-}
-TYPED_TEST(VoxelWalkerWired, GoesThroughAWorldOfOddSidesInGroups) {
-  voxel_knobs k = world({96, 192, 32}, {2, 4, 1}, 4, 3);
-  k.leaf_steps = 3;
-  k.group_fetch = 1;
-  this->expect_the_closed_form(k);
-}
-TYPED_TEST(VoxelWalkerWired, GoesThroughLargeVoxelsInGroupsAsFarUpAsItCan) {
-  voxel_knobs k = world({64, 64, 64}, {4, 4, 4}, 9, 1);
-  k.leaf_steps = 8;
-  k.group_fetch = 1;
-  k.raise = VoxelRaiseAll;
-  this->expect_the_closed_form(k);
-}
+TYPED_TEST(VoxelWalkerWired, GoesThroughLargeVoxels) { this->expect_the_closed_form(coarse_set()); }
 TYPED_TEST(VoxelWalkerWired, GoesThroughAWorldOfOneLevel) {
-  this->expect_the_closed_form(world({96, 64, 32}, {2, 2, 2}, 1, 1));
+  this->expect_the_closed_form(one_level_set());
 }
 
 TYPED_TEST(VoxelWalkerWired, DrawsLinesOfTheWorldTiny) {
@@ -176,32 +155,37 @@ TYPED_TEST(VoxelWalkerWired, DrawsLinesOfTheWorldTiny) {
   EXPECT_EQ(middle.kind, VoxelHit);
   EXPECT_EQ(middle.position[0] >> 8, 32);
   EXPECT_EQ(middle.position[1] >> 8, 54);
-  EXPECT_EQ(middle.position[2], 9 * 256 + 182) << "9.7070";
+  EXPECT_EQ(middle.position[2], 9 * 256 + 181) << "9.7070";
   const voxel_end corner = dut.walk(at(0, 0), {100, 100}, walked);
   EXPECT_EQ(corner.position[0] >> 8 & 63, 54);
   EXPECT_EQ(corner.position[1] >> 8 & 63, 33);
   EXPECT_EQ(corner.position[2], 10 * 256 + 175) << "10.6836";
 }
 
-TYPED_TEST(VoxelWalkerWired, AShadowRayGoesFromTheHitToTheLight) {
+TYPED_TEST(VoxelWalkerWired, AShadowRayGoesFromOneAndAHalfUnitsAboveTheHitToTheLight) {
   const voxel_world tiny = tiny_world(4);
-  const voxel_knobs k;
-  Dut<TypeParam> dut(tiny, k);
-  const vec3 light{14301, 28602, 57204};
+  Dut<TypeParam> dut(tiny, {});
+  const vec3 light{-14301, 28602, 57204};
+  for (int axis = 0; axis < 3; ++axis) {
+    const char* const ports[] = {"light_x_i", "light_y_i", "light_z_i"};
+    dut[ports[axis]].drive(raw_bits(static_cast<unsigned>(light[axis]), VoxelDirectionBits));
+  }
   dut.aim({{63 * 256 + 192, 63 * 256 + 192, 20 * 256}, {-32768, -24576, -4096}}, {40, 40});
-  dut["light_x_i"].drive(static_cast<unsigned>(light[0]));
-  dut["light_y_i"].drive(static_cast<unsigned>(light[1]));
-  dut["light_z_i"].drive(static_cast<unsigned>(light[2]));
   dut.start();
   voxel_walked walked, expected;
   const voxel_end hit = dut.end(walked);
   ASSERT_EQ(hit.kind, VoxelHit);
-  const voxel_ray shadow{hit.position, light};
-  const voxel_end same = voxel_walk(tiny, k, shadow, {40, 40}, expected);
-  dut.start(true);  // in the last clock of the first ray
-  walked = {};
-  ASSERT_NO_FATAL_FAILURE(expect_same(dut.end(walked), same));
-  EXPECT_EQ(walked.clocks, expected.clocks);
+  voxel_ray shadow{hit.position, light};
+  for (int axis = 0; axis < 3; ++axis)
+    shadow.origin[axis] += static_cast<int>(std::floor(1.5 * light[axis] / 256));
+  const voxel_end same = voxel_walk(tiny, {}, shadow, {40, 40}, expected);
+  for (const char* which : {"in the last clock of the ray", "in that of a shadow's ray"}) {
+    SCOPED_TRACE(which);
+    dut.start(true);
+    walked = {};
+    ASSERT_NO_FATAL_FAILURE(expect_same(dut.end(walked), same));
+    EXPECT_EQ(walked.clocks, expected.clocks);
+  }
 }
 
 TYPED_TEST(VoxelWalkerWired, RaysFollowEachOtherWithoutAClockBetween) {
