@@ -115,7 +115,7 @@ std::vector<std::uint32_t> picture_terrain(const vec3& size, const PictureTerrai
     const int row = size[1] - 1 - y;
     voxel_column column;
     column.low = column.middle = column.high = height(*pictures.low, x, row);
-    if (pictures.middle && pictures.high) {
+    if (pictures.middle && pictures.high && pictures.high->at(x, row)) {
       column.middle = height(*pictures.middle, x, row);
       column.high = height(*pictures.high, x, row);
     }

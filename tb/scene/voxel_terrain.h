@@ -54,8 +54,8 @@ struct CanyonTerrain {
 std::vector<std::uint32_t> canyon_terrain(const vec3& size, const CanyonTerrain& how);
 
 /// Columns of pictures that are as large as the world; their top row is the farthest. `middle` and
-/// `high`: a second layer, both or none. White is the top of the world; of `materials`, the upper
-/// three bits count.
+/// `high`: a second layer, both or none; where `high` is black, there is none. White is the top of
+/// the world; of `materials`, the upper three bits count.
 struct PictureTerrain {
   const GreyPicture* low = nullptr;
   const GreyPicture* middle = nullptr;
