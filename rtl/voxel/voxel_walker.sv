@@ -225,7 +225,7 @@ module voxel_walker #(
   );
 
   // --- FETCH -----------------------------------------------------------------------------------
-  wire logic group = GroupFetch != 0 && !known_q && level_q != '0;
+  wire logic group = GroupFetch != 0 && fetch && !known_q && level_q != '0;
   assign x_o = group ? voxel_x_q << 1 : voxel_x_q;
   assign y_o = group ? voxel_y_q << 1 : voxel_y_q;
   assign z_o = group ? voxel_z_q << 1 : voxel_z_q;

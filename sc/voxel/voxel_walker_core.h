@@ -99,7 +99,7 @@ struct voxel_walker_core {
   moved move(const voxel_knobs& k) const;
   /// The memory is asked for the children in the voxel's place.
   bool asks_children(const voxel_knobs& k) const {
-    return k.group_fetch && !known_q && level_q > 0;
+    return k.group_fetch && state_q == VoxelFetch && !known_q && level_q > 0;
   }
   bool occupied(const inputs& in, const voxel_knobs& k) const;
   void take_ray(const inputs& in);

@@ -11,12 +11,14 @@
 #include "sc/beam/engine.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
 #include "tb/scene/beam_scene.h"
 #include "tb/scene/block_scene.h"
 #include "tb/scene/input_file.h"
 #include "tb/scene/sphere_scene.h"
 #include "tb/scene/starter_scene.h"
 #include "tb/scene/table_reader.h"
+#include "tb/scene/voxel_scene.h"
 
 namespace racebeam {
 
@@ -64,7 +66,8 @@ const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> table = {
       {beam_engine(), scene_keys(), read_beam_scene, starter_scene},
       {sphere_engine(), sphere_scene_keys(), read_sphere_scene, starter_sphere_scene},
-      {block_engine(), block_scene_keys(), read_block_scene, starter_block_scene}};
+      {block_engine(), block_scene_keys(), read_block_scene, starter_block_scene},
+      {voxel_engine(), voxel_scene_keys(), read_voxel_scene, starter_voxel_scene}};
   return table;
 }
 

@@ -128,4 +128,29 @@ velocity = [0.0625, 0.03125, 0.03125]  # a step of time
 )";
 }
 
+const char* starter_voxel_scene() {
+  return R"(# A scene for the voxel tracer. Look at it: racebeam render FILE -o first.png
+name = "first hills"
+engine = "voxel"
+frames = 60
+
+[terrain]
+size = [128, 128, 64]        # x right, y away, z up: multiples of the largest voxel
+voxel = [1, 4, 1]
+function = "hills"           # or picture = "heights.png", rooms or spheres = "FILE.toml"
+seed = 7
+
+[camera]
+position = [64, 0, 60]       # the world repeats along x and y
+pitch = 128                  # down, of 2048 to the turn
+velocity = [0, 1, 0]         # a picture
+
+[[crater]]
+picture = 30
+centre = [64, 90]
+radius = 10
+depth = 8
+)";
+}
+
 }  // namespace racebeam

@@ -10,5 +10,6 @@ namespace racebeam {
 const char* starter_scene();
 const char* starter_sphere_scene();
 const char* starter_block_scene();
+const char* starter_voxel_scene();
 
 }  // namespace racebeam
