@@ -78,7 +78,8 @@ const SceneKind& scene_kind_of(const engine& shown) {
 }
 
 AnySceneResult read_any_scene(std::string_view text, const std::string& name,
-                              const std::vector<SceneKind>& kinds, const engine* shown) {
+                              const std::vector<SceneKind>& kinds, const engine* shown,
+                              const std::string& folder) {
   AnySceneResult result;
   std::optional<TomlNode> root = parse_toml(text, result.faults);
   if (!root) return result;
@@ -86,7 +87,7 @@ AnySceneResult read_any_scene(std::string_view text, const std::string& name,
       shown ? &scene_kind_of(*shown) : kind_of(*root, kinds, result.faults);
   if (!kind) return result;
   take_own_tables(*root, kind->engine.name, kinds, result.faults);
-  if (result.faults.none()) result.scene = kind->read({*root, text, name}, result.faults);
+  if (result.faults.none()) result.scene = kind->read({*root, text, name, folder}, result.faults);
   return result;
 }
 
@@ -94,7 +95,9 @@ AnySceneResult read_any_scene_file(const std::string& path, const engine* shown)
   AnySceneResult result;
   std::optional<std::string> text = read_input_file(path, "scene", result.faults);
   if (!text) return result;
-  result = read_any_scene(*text, std::filesystem::path(path).stem().string(), scene_kinds(), shown);
+  const std::filesystem::path file(path);
+  result = read_any_scene(*text, file.stem().string(), scene_kinds(), shown,
+                          file.parent_path().string());
   result.text = std::move(*text);
   return result;
 }

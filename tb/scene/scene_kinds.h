@@ -21,7 +21,8 @@ namespace racebeam {
 struct SceneText {
   const TomlNode& root;
   std::string_view text;
-  std::string name;  ///< the scene's if the file gives none
+  std::string name;         ///< the scene's if the file gives none
+  std::string folder = "";  ///< where it lies: files that it names lie there
 };
 
 struct SceneKind {
@@ -45,10 +46,10 @@ struct AnySceneResult {
   std::string text{};  ///< of a file that could be read
 };
 
-/// Reads and checks a scene of any kind from its text; `shown` as below.
+/// Reads and checks a scene of any kind from its text; `shown` as below, `folder` as of SceneText.
 AnySceneResult read_any_scene(std::string_view text, const std::string& name,
                               const std::vector<SceneKind>& kinds = scene_kinds(),
-                              const engine* shown = nullptr);
+                              const engine* shown = nullptr, const std::string& folder = "");
 
 /// The same from a file; a file that cannot be read is a fault too. `shown`: what shows it,
 /// whatever engine the file names; with the tables in [for.ENGINE], which are read as if they stood
