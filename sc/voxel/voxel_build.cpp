@@ -209,14 +209,17 @@ std::uint64_t voxel_up(voxel_world& world, const voxel_rectangle& columns, int m
   return spent;
 }
 
+void expect_buildable(const voxel_rectangle& r, const vec3& size) {
+  if (voxel_buildable(r, size)) return;
+  const auto text = [](int number) { return std::to_string(number); };
+  throw std::invalid_argument("columns " + text(r.x_low) + ".." + text(r.x_high) + " by " +
+                              text(r.y_low) + ".." + text(r.y_high) +
+                              " cannot be built; low < high, in 0.." + text(size[0]) + " by 0.." +
+                              text(size[1]));
+}
+
 voxel_built voxel_build(voxel_world& world, const voxel_rectangle& columns, int memory_clocks) {
-  const vec3& size = world.levels().size();
-  if (!voxel_buildable(columns, size))
-    throw std::invalid_argument(
-        "columns " + std::to_string(columns.x_low) + ".." + std::to_string(columns.x_high) +
-        " by " + std::to_string(columns.y_low) + ".." + std::to_string(columns.y_high) +
-        " cannot be built; low < high, in 0.." + std::to_string(size[0]) + " by 0.." +
-        std::to_string(size[1]));
+  expect_buildable(columns, world.levels().size());
   voxel_built built;
   built.clear = voxel_clear(world, columns, memory_clocks);
   built.fill = voxel_fill(world, columns, memory_clocks);

@@ -33,6 +33,8 @@ constexpr bool voxel_buildable(const voxel_rectangle& r, const vec3& size) {
   return r.x_low >= 0 && r.y_low >= 0 && r.x_low < r.x_high && r.y_low < r.y_high &&
          r.x_high <= size[0] && r.y_high <= size[1];
 }
+/// Throws std::invalid_argument, saying why, if it is not.
+void expect_buildable(const voxel_rectangle& r, const vec3& size);
 
 /// Builds the rectangle; `memory_clocks`: the knob. Throws std::invalid_argument if it is not
 /// buildable.

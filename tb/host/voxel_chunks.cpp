@@ -2,56 +2,51 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/host/voxel_chunks.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <deque>
-
 namespace racebeam {
 
 namespace {
 
-constexpr std::size_t MostInFrame = 10;
-
-std::int64_t area(const voxel_rectangle& r) {
-  return std::int64_t{r.x_high - r.x_low} * (r.y_high - r.y_low);
-}
-
-/// The parts of it that have columns.
-std::vector<voxel_rectangle> quarters(const voxel_rectangle& r) {
-  const int x = (r.x_low + r.x_high) / 2, y = (r.y_low + r.y_high) / 2;
-  std::vector<voxel_rectangle> parts = {{r.x_low, r.y_low, x, y},
-                                        {x, r.y_low, r.x_high, y},
-                                        {r.x_low, y, x, r.y_high},
-                                        {x, y, r.x_high, r.y_high}};
-  parts.erase(std::remove_if(parts.begin(), parts.end(),
-                             [](const voxel_rectangle& part) { return area(part) == 0; }),
-              parts.end());
-  return parts;
+std::size_t columns_of(const voxel_rectangle& r) {
+  return static_cast<std::size_t>(r.x_high - r.x_low) *
+         static_cast<std::size_t>(r.y_high - r.y_low);
 }
 
 }  // namespace
 
-std::vector<std::vector<voxel_rectangle>> voxel_chunks(std::vector<voxel_rectangle> rectangles,
-                                                       int build_chunk) {
-  std::deque<voxel_rectangle> queue(rectangles.begin(), rectangles.end());
-  std::vector<std::vector<voxel_rectangle>> frames;
-  std::int64_t left = 0;  // columns that the last frame may still have
-  while (!queue.empty()) {
-    const voxel_rectangle next = queue.front();
-    queue.pop_front();
-    if (area(next) > build_chunk && area(next) > 1) {
-      const auto parts = quarters(next);
-      queue.insert(queue.begin(), parts.begin(), parts.end());
-      continue;
-    }
-    if (frames.empty() || frames.back().size() == MostInFrame || area(next) > left) {
-      frames.emplace_back();
-      left = build_chunk;
-    }
-    frames.back().push_back(next);
-    left -= area(next);
+VoxelChunks::VoxelChunks(const voxel_knobs& k)
+    : levels_(k), chunk_(static_cast<std::size_t>(k.build_chunk)) {}
+
+void VoxelChunks::add(const voxel_rectangle& columns) {
+  expect_buildable(columns, levels_.size());
+  split(voxel_aligned(columns, levels_, 0));
+}
+
+void VoxelChunks::split(const voxel_rectangle& voxels) {
+  const auto& [x_low, y_low, x_high, y_high] = voxels;
+  if (x_low == x_high || y_low == y_high) return;
+  const int x_side = levels_.side(0, 0), y_side = levels_.side(0, 1);
+  const voxel_rectangle columns{x_low * x_side, y_low * y_side, x_high * x_side, y_high * y_side};
+  if (columns_of(columns) <= chunk_ || (x_high - x_low == 1 && y_high - y_low == 1)) {
+    queue_.push_back(columns);
+    return;
   }
-  return frames;
+  const int x = (x_low + x_high) / 2, y = (y_low + y_high) / 2;
+  split({x_low, y_low, x, y});
+  split({x, y_low, x_high, y});
+  split({x_low, y, x, y_high});
+  split({x, y, x_high, y_high});
+}
+
+std::vector<voxel_rectangle> VoxelChunks::frame() {
+  std::vector<voxel_rectangle> taken;
+  std::size_t columns = 0;
+  while (!queue_.empty() && taken.size() < MostAFrame) {
+    columns += columns_of(queue_.front());
+    if (columns > chunk_ && !taken.empty()) break;
+    taken.push_back(queue_.front());
+    queue_.pop_front();
+  }
+  return taken;
 }
 
 }  // namespace racebeam

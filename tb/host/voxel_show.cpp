@@ -29,10 +29,11 @@ std::vector<VoxelDeed> VoxelShow::next() {
   std::vector<voxel_rectangle> changed = change(++picture_);
   if (picture_ == 0) changed = {{0, 0, knobs_.size_x, knobs_.size_y}};
   std::vector<VoxelDeed> deeds = {{VoxelDeed::Colours}};
-  bool first = true;
-  for (const auto& frame : voxel_chunks(changed, knobs_.build_chunk)) {
+  VoxelChunks chunks(knobs_);
+  for (const voxel_rectangle& r : changed) chunks.add(r);
+  for (bool first = true; !chunks.empty(); first = false) {
+    const std::vector<voxel_rectangle> frame = chunks.frame();
     if (!first) deeds.push_back({VoxelDeed::Frame});
-    first = false;
     for (const voxel_rectangle& part : frame) deeds.push_back({VoxelDeed::Columns, part});
     for (const voxel_rectangle& part : frame) deeds.push_back({VoxelDeed::Build, part});
   }

@@ -16,7 +16,8 @@ class PlainBuild {
  public:
   std::uint64_t clear = 0, fill = 0, up = 0, columns = 0;
 
-  /// Changes the world's occupancy; `read`: clocks of a read, one more than its word takes.
+  /// Changes the world's occupancy; `memory_clocks`: after those of its address, until a word is
+  /// there.
   PlainBuild(voxel_world& world, const voxel_rectangle& rectangle, int memory_clocks = 1)
       : world_(world), levels_(world.levels()), read_(static_cast<unsigned>(memory_clocks) + 1) {
     const voxel_rectangle in = around(rectangle, 0);
@@ -72,7 +73,7 @@ class PlainBuild {
 
   voxel_world& world_;
   const voxel_levels& levels_;
-  const unsigned read_;
+  const unsigned read_;  // clocks of a read, and of a read and a write
 };
 
 inline int within(std::mt19937& random, int low, int high) {
