@@ -13,10 +13,20 @@ namespace racebeam {
 namespace {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double HalfTurn = 1024;
-constexpr int One = 1 << 24;  // of camera vectors
+constexpr double Quarter = 512;  // of a turn
+constexpr int One = 1 << 24;     // of camera vectors
 // Steps are rounded: up to half a unit in each of 640 + 480, and one in the start.
 constexpr int Rounding = 1024;
+
+/// Of an angle, some quarters of a turn later.
+double sine(double angle, int quarters, bool parabola) {
+  const double turned = angle / Quarter + quarters;
+  if (!parabola) return std::sin(turned * Pi / 2);
+  const double whole = std::floor(turned), u = turned - whole;
+  const int quarter = static_cast<int>(whole) & 3;
+  const double size = quarter & 1 ? (1 - u) * (1 + u) : u * (2 - u);
+  return quarter & 2 ? -size : size;
+}
 
 Vector3 sum(const Vector3& a, double s, const Vector3& b, double t, const Vector3& c) {
   Vector3 all;
@@ -43,10 +53,10 @@ int within(double coordinate, int side) {
 }  // namespace
 
 voxel_view pinhole_view(const VoxelPinhole& pinhole, int width, int height, const vec3& size) {
-  const double sin_yaw = std::sin(pinhole.yaw * Pi / HalfTurn);
-  const double cos_yaw = std::cos(pinhole.yaw * Pi / HalfTurn);
-  const double sin_pitch = std::sin(pinhole.pitch * Pi / HalfTurn);
-  const double cos_pitch = std::cos(pinhole.pitch * Pi / HalfTurn);
+  const double sin_yaw = sine(pinhole.yaw, 0, pinhole.parabolas);
+  const double cos_yaw = sine(pinhole.yaw, 1, pinhole.parabolas);
+  const double sin_pitch = sine(pinhole.pitch, 0, pinhole.parabolas);
+  const double cos_pitch = sine(pinhole.pitch, 1, pinhole.parabolas);
   const double f = pinhole.focal_length;
   const Vector3 forward{f * sin_yaw * cos_pitch, f * cos_yaw * cos_pitch, -f * sin_pitch};
   const Vector3 right{cos_yaw, -sin_yaw, 0};

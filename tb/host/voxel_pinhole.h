@@ -16,6 +16,8 @@ struct VoxelPinhole {
   double yaw = 0;    ///< to the right
   double pitch = 0;  ///< down
   double focal_length = 320;
+  /// Sines are parabolas, as the interval tracer's camera has them: its pictures are a little bent.
+  bool parabolas = false;
   /// From the middle of the picture to the pixel that looks forward, to the right and down.
   double shift_x = 0, shift_y = 0;
 };

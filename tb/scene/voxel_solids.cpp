@@ -235,6 +235,8 @@ std::vector<VoxelPinhole> room_pinholes(const BeamScene& scene, const VoxelMappi
     pinhole.yaw = camera.yaw.value(frame, 0, TurnUnits);
     pinhole.pitch = camera.pitch.value(frame, 0, TurnUnits);
     pinhole.focal_length = camera.fov.value(frame, 0, FocalUnits);
+    pinhole.parabolas = true;
+    pinhole.shift_x = 1;  // the chip shows the ray of a pixel a column later
     all.push_back(pinhole);
   }
   return all;

@@ -90,7 +90,7 @@ std::vector<std::uint32_t> hills_terrain(const vec3& size, const HillsTerrain& h
 }
 
 std::vector<std::uint32_t> canyon_terrain(const vec3& size, const CanyonTerrain& how) {
-  enum { Left = 100, Right, Rubble };
+  enum { Left = 100, Right, Stones };
   const ValueNoise plain(size[0], size[1], Cell, 4, how.seed);
   const double unit = size[2] / 128.0;
   const auto rough = [&](int y, int side) {
@@ -100,8 +100,9 @@ std::vector<std::uint32_t> canyon_terrain(const vec3& size, const CanyonTerrain&
     const int from = voxel_wrapped(x - how.offset, size[0]);
     const bool inside =
         from >= size[0] / 4 + rough(y, Left) && from < size[0] * 3 / 4 - rough(y, Right);
-    const int low = inside ? static_cast<int>(unit * (8 + hash(x, y, Rubble, how.seed) % 4))
-                           : static_cast<int>(unit * (80 + 24 * plain.at(x, y)));
+    const bool stone = hash(x, y, Stones, how.seed) % 64 == 0;
+    const int low = static_cast<int>(
+        unit * (inside ? 6 + 8 * plain.at(x, y) + (stone ? 3 : 0) : 80 + 24 * plain.at(x, y)));
     return ground(low, inside ? Sand : Rock, size);
   });
 }

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -106,6 +107,23 @@ TEST(VoxelPinholeTest, AShiftMovesThePixelThatLooksForward) {
   const Vector3 forward = reduced(ray(pinhole_view(at, 640, 480, World), 420, 190));
   EXPECT_NEAR(forward[0], 0, 1e-4);
   EXPECT_NEAR(forward[2], 0, 1e-4);
+}
+
+TEST(VoxelPinholeTest, ParabolasStandForSinesIfAskedFor) {
+  for (const int quarter : {0, 1, 2, 3})
+    for (const int part : {0, 100, 256, 400}) {
+      VoxelPinhole at;
+      at.yaw = 512 * quarter + part;
+      at.parabolas = true;
+      const voxel_view view = pinhole_view(at, 640, 480, World);
+      const double u = part / 512.0, sine = u * (2 - u), cosine = (1 - u) * (1 + u);
+      const std::array<std::array<double, 2>, 4> right = {
+          {{cosine, -sine}, {-sine, -cosine}, {-cosine, sine}, {sine, cosine}}};
+      const auto& expected = right[static_cast<std::size_t>(quarter)];
+      const double unit = -view.dy[2];  // 1
+      EXPECT_NEAR(view.dx[0] / unit, expected[0], 1e-4);
+      EXPECT_NEAR(view.dx[1] / unit, expected[1], 1e-4);
+    }
 }
 
 TEST(VoxelPinholeTest, LightsAreOfLengthOne) {
