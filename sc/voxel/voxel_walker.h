@@ -31,12 +31,11 @@
 //         LEAF; with leaf = voxel it has none, and ends the ray if t_out > t. In LEAF hit_i ends
 //         the ray; sample_i without it has inner_o = 1, and with reached_i goes to LIMIT; else
 //         done_i goes to MOVE. The clock after the last is the first of SETUP with start_i = 1,
-//         else IDLE, which looks at start_i too. With group_fetch: at a level above 0 x_o, y_o, z_o
-//         and level_o are the voxel's first child. FETCH takes the byte of data_i with bit bit_i,
-//         occupied_q is 1 if anything is in it and inside_i = 1. From its end to EXIT, or to that
-//         of the FETCH after the DOWN, they are the voxel: that FETCH takes 1 clock, has read_o =
-//         0, and looks at the bit of the byte that the low bits of z, y, x name, and not at
-//         inside_i.
+//         else IDLE, which looks at start_i too. With group_fetch: in a FETCH at a level above 0
+//         x_o, y_o, z_o and level_o are the voxel's first child. It takes the byte of data_i with
+//         bit bit_i, occupied_q is 1 if anything is in it and inside_i = 1. In the FETCH after the
+//         DOWN they are the voxel: it takes 1 clock, has read_o = 0, and looks at the bit of the
+//         byte that the low bits of z, y, x name, and not at inside_i.
 // Comb    position_*_i -> hit_*_o; inverse_*_i -> t_o, t_out_o, and with leaf = voxel ray_done_o,
 //         kind_o; hit_i, sample_i -> inner_o; hit_i, sample_i, reached_i -> ray_done_o, kind_o.
 // Stall   none but the memories' clocks.
