@@ -18,7 +18,7 @@ std::vector<int> voxel_first_hits(const VoxelShow& show, const voxel_knobs& k);
 std::vector<int> voxel_golden_hits(const VoxelShow& show, const voxel_knobs& k);
 
 /// As GoldenKind has them. `scene`: a VoxelProgram, or nullptr: the scene that is built in. A hit
-/// is wrong if it is in another column, or in its other solid.
+/// is wrong if its column is more than one away.
 VgaFrame voxel_golden_picture(const scene_tables* scene, const knob_values& k, int picture);
 PictureErrors voxel_golden_errors(const scene_tables* scene, const knob_values& k, int picture,
                                   const PackedPicture& chip, int step);

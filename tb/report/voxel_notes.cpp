@@ -26,7 +26,7 @@ racebeam {}: `{}`
 Up to {} pictures spread evenly over each scene, at the tlm level with the tracer's own knobs{}. Of picture 0, millions of clocks in
 which the octree was built; then means of a picture, a pixel: clocks, bits of occupancy looked at, voxels left, descents and samples;
 pixels that show the sky, and that a limit stopped. Every fourth pixel of every fourth row is compared with `geometry`, which walks the
-columns in double precision: another column, or another solid of it, and the error of the picture in 256 levels a channel. Samples lie
+columns in double precision: columns that are more than one away, and the error of the picture in 256 levels a channel. Samples lie
 a unit apart, so a thin edge between two of them is missed: more of them (`leaf_steps`) or `leaf=voxel` mend that.
 
 | scene | pictures | world | voxel | levels | build | clocks a pixel | most | looks | moves | descents | samples | sky | stopped | other column | RMSE |

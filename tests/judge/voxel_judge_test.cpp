@@ -70,6 +70,7 @@ TEST(VoxelJudge, MoreSamplesAreNearerToTheExactColumns) {
     const double one = wrong(program, k);
     k.leaf_steps = 2;
     const double two = wrong(program, k);
+    std::printf("%f %f\n", one, two);
     k.leaf_steps = 8;
     EXPECT_LT(wrong(program, k), two);
     EXPECT_LT(two, one);

@@ -17,6 +17,23 @@ inline int within(std::mt19937& random, int low, int high) {
   return std::uniform_int_distribution(low, high)(random);
 }
 
+inline voxel_knobs any_knobs(std::mt19937& random) {
+  voxel_knobs k;
+  k.size_x = within(random, 1, 3) * 32;
+  k.size_y = within(random, 1, 3) * 64;
+  k.size_z = 32;
+  k.voxel_x = 1 << within(random, 0, 1);
+  k.voxel_y = 1 << within(random, 0, 2);
+  k.voxel_z = 1;
+  k.levels = within(random, 1, 4);
+  k.leaf_steps = within(random, 1, 8);
+  k.raise = within(random, 0, 1);
+  k.group_fetch = within(random, 0, 1);
+  k.memory_clocks = within(random, 1, 4);
+  if (k.voxel_x * k.voxel_y == 1) k.leaf = within(random, 0, 1);
+  return k;
+}
+
 /// Hills with caves, of any height.
 inline std::vector<std::uint32_t> rough_columns(std::mt19937& random, const voxel_knobs& k) {
   std::vector<std::uint32_t> columns;

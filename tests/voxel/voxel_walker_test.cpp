@@ -14,23 +14,6 @@
 namespace racebeam {
 namespace {
 
-voxel_knobs any_knobs(std::mt19937& random) {
-  voxel_knobs k;
-  k.size_x = within(random, 1, 3) * 32;
-  k.size_y = within(random, 1, 3) * 64;
-  k.size_z = 32;
-  k.voxel_x = 1 << within(random, 0, 1);
-  k.voxel_y = 1 << within(random, 0, 2);
-  k.voxel_z = 1;
-  k.levels = within(random, 1, 4);
-  k.leaf_steps = within(random, 1, 8);
-  k.raise = within(random, 0, 1);
-  k.group_fetch = within(random, 0, 1);
-  k.memory_clocks = within(random, 1, 4);
-  if (k.voxel_x * k.voxel_y == 1) k.leaf = within(random, 0, 1);
-  return k;
-}
-
 TEST(VoxelWalker, GoesWhereTheClosedFormGoesInAsManyClocks) {
   std::mt19937 random(7);
   std::array<int, 4> kinds{};
