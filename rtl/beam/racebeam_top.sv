@@ -1,13 +1,38 @@
 // racebeam_top: all units wired under one clock.
 // Contract: sc/beam/chip.h, whose wires these are.
 //
-// No arithmetic: a wire has the name of the port that drives it, without its suffix.
+// No arithmetic: a wire has the name of the port that drives it, without its suffix;
+// a parameter that of the units that have it.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module racebeam_top (
+module racebeam_top #(
+    parameter int IntervalStackDepth = 4,
+    parameter int FaceStackDepth = 9,
+    parameter int MaxRoomDepth = 8,
+    parameter int FifoEntries = 10,
+    parameter int FifoShortLengthBits = 6,
+    parameter int HurryThreshold = 32,
+    parameter int DrBits = 10,
+    parameter int CornerBits = 12,
+    parameter int CornerFactorBits = 8,
+    parameter int PartialProductsCut = 5,
+    parameter int Bisection = 0,
+    parameter int Stepping = 0,
+    parameter int Dithering = 1,
+    parameter int ClocksPerPixel = 2,
+    parameter int SkipSharedEdges = 0,
+    parameter int HeadStart = 0,
+    parameter int SteppingFractionBits = 9,
+    parameter int DdrFractionBits = 9,
+    parameter int CornerRounding = 0,
+    parameter int FifoMerge = 1,
+    parameter int NavigatorBits = 9,
+    parameter int FreeFlight = 0,
+    parameter int PortalsPerFace = 1
+) (
     input wire logic clk_i,
     input wire logic rst_ni,
     input wire logic [2:0] speed_i,
@@ -90,7 +115,9 @@ module racebeam_top (
   wire logic [6:0] fill;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  vga_timing u_vga_timing (
+  vga_timing #(
+      .ClocksPerPixel(ClocksPerPixel)
+  ) u_vga_timing (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .speed_i(speed_i),
@@ -107,7 +134,9 @@ module racebeam_top (
       .nav_line_o(nav_line)
   );
 
-  sequencer u_sequencer (
+  sequencer #(
+      .DrBits(DrBits)
+  ) u_sequencer (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .frame_end_i(frame_end),
@@ -134,7 +163,11 @@ module racebeam_top (
       .nav_reset_o(nav_reset)
   );
 
-  camera_unit u_camera_unit (
+  camera_unit #(
+      .DrBits(DrBits),
+      .HeadStart(HeadStart),
+      .DdrFractionBits(DdrFractionBits)
+  ) u_camera_unit (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .line_end_i(line_end),
@@ -161,7 +194,11 @@ module racebeam_top (
       .i2_init_o(i2_init)
   );
 
-  navigator u_navigator (
+  navigator #(
+      .NavigatorBits(NavigatorBits),
+      .FreeFlight(FreeFlight),
+      .PortalsPerFace(PortalsPerFace)
+  ) u_navigator (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .nav_reset_i(nav_reset),
@@ -186,7 +223,12 @@ module racebeam_top (
       .nav_move_o(nav_move)
   );
 
-  ray_stepper u_ray_stepper (
+  ray_stepper #(
+      .DrBits(DrBits),
+      .Bisection(Bisection),
+      .Stepping(Stepping),
+      .SteppingFractionBits(SteppingFractionBits)
+  ) u_ray_stepper (
       .clk_i(clk_i),
       .tracer_reset_i(tracer_reset),
       .load_i(load),
@@ -211,7 +253,12 @@ module racebeam_top (
       .dr2_z_o(dr2_z)
   );
 
-  subdivider u_subdivider (
+  subdivider #(
+      .IntervalStackDepth(IntervalStackDepth),
+      .HurryThreshold(HurryThreshold),
+      .Bisection(Bisection),
+      .PortalsPerFace(PortalsPerFace)
+  ) u_subdivider (
       .clk_i(clk_i),
       .tracer_reset_i(tracer_reset),
       .idx_load_i(idx_load),
@@ -249,7 +296,11 @@ module racebeam_top (
       .line_done_o(line_done)
   );
 
-  stacks u_stacks (
+  stacks #(
+      .IntervalStackDepth(IntervalStackDepth),
+      .FaceStackDepth(FaceStackDepth),
+      .PortalsPerFace(PortalsPerFace)
+  ) u_stacks (
       .clk_i(clk_i),
       .push_en_i(push_en),
       .tag_i(tag),
@@ -262,7 +313,18 @@ module racebeam_top (
       .fread_o(fread)
   );
 
-  decision_datapath u_decision_datapath (
+  decision_datapath #(
+      .DrBits(DrBits),
+      .CornerBits(CornerBits),
+      .CornerFactorBits(CornerFactorBits),
+      .PartialProductsCut(PartialProductsCut),
+      .CornerRounding(CornerRounding),
+      .MaxRoomDepth(MaxRoomDepth),
+      .FaceStackDepth(FaceStackDepth),
+      .SkipSharedEdges(SkipSharedEdges),
+      .FreeFlight(FreeFlight),
+      .PortalsPerFace(PortalsPerFace)
+  ) u_decision_datapath (
       .clk_i(clk_i),
       .tracer_reset_i(tracer_reset),
       .nav_line_i(nav_line),
@@ -324,7 +386,9 @@ module racebeam_top (
       .hit_face_o(hit_face)
   );
 
-  scene u_scene (
+  scene #(
+      .SkipSharedEdges(SkipSharedEdges)
+  ) u_scene (
       .scene_flags_i(scene_flags),
       .room_i(room),
       .look_axis_i(look_axis),
@@ -342,7 +406,12 @@ module racebeam_top (
       .edges_o(edges)
   );
 
-  interval_fifo u_interval_fifo (
+  interval_fifo #(
+      .FifoEntries(FifoEntries),
+      .FifoShortLengthBits(FifoShortLengthBits),
+      .FifoMerge(FifoMerge),
+      .Dithering(Dithering)
+  ) u_interval_fifo (
       .clk_i(clk_i),
       .tracer_reset_i(tracer_reset),
       .emit_i(emit),
@@ -357,7 +426,10 @@ module racebeam_top (
       .fill_o(fill)
   );
 
-  pixel_output u_pixel_output (
+  pixel_output #(
+      .Dithering(Dithering),
+      .DrBits(DrBits)
+  ) u_pixel_output (
       .hit_face_i(hit_face),
       .ray_signs_i(ray_signs),
       .y_i(y),

@@ -32,7 +32,7 @@ struct Twins {
   PluginMaker (*plugins)(const knob_values& k, const scene_tables* scene, bool traced);
   /// The widths of a chip with the knobs `k`.
   LegalInputs (*inputs)(const knob_values& k);
-  /// Whether engine::top, which has no parameters, is such a chip.
+  /// Whether engine::top with its own parameters is such a chip.
   bool (*is_top)(const knob_values& k, const scene_tables* scene);
   std::vector<UnitWalk> walks;
 

@@ -5,9 +5,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "sc/beam/chip_core.h"
+#include "sc/beam/engine.h"
 #include "sc/swap/rtl_library.h"
+#include "tb/base/project_folder.h"
 #include "tb/twin/unit_bench.h"
+#include "tb/verilate/rtl_syntax.h"
 #include "tests/support/own_rtl.h"
 
 namespace racebeam {
@@ -33,7 +39,7 @@ struct racebeam_top {
 
 // Every clock of both pins against the cores, from reset on.
 void expect_pins_of_the_chip(const knobs& k, int clocks) {
-  own_rtl<racebeam_top> top("dut");
+  own_rtl<racebeam_top> top("dut", k);
   UnitBench bench(top);
   chip_core chip;
   bench["speed_i"].drive(k.speed);
@@ -50,6 +56,50 @@ void expect_pins_of_the_chip(const knobs& k, int clocks) {
     ASSERT_EQ(pwm.value(), pins.pwm) << "clock " << n;
     bench.clock();
   }
+}
+
+std::map<std::string, std::string> parameters_of(const std::string& module) {
+  std::map<std::string, std::string> parameters;
+  for (const auto& one :
+       read_rtl_syntax({module, {rtl_file(module)}, {}, {}, {}, {}, RtlSources::Unit, false})
+           .parameters)
+    parameters[one.name] = one.value;
+  return parameters;
+}
+
+// By default each is that of the chip: UnitSourcesTest holds those of the units to the knobs.
+TEST(RacebeamTop, HasTheParametersOfItsUnits) {
+  std::map<std::string, std::string> of_units;
+  for (const std::string& unit : beam_engine().unit_names(false))
+    for (const auto& [name, value] : parameters_of(unit)) {
+      const auto [at, fresh] = of_units.emplace(name, value);
+      EXPECT_EQ(at->second, value) << unit << " " << name;
+    }
+  EXPECT_EQ(parameters_of("racebeam_top"), of_units);
+}
+
+TEST(RacebeamTop, PinsAreTheChipsWithOtherKnobs) {
+  knobs k;
+  k.interval_stack_depth = 2;
+  k.face_stack_depth = 6;
+  k.max_room_depth = 4;
+  k.fifo_entries = 7;
+  k.fifo_short_length_bits = 5;
+  k.hurry_threshold = -1;
+  k.dr_bits = 9;
+  k.corner_bits = 13;
+  k.corner_factor_bits = 7;
+  k.partial_products_cut = 3;
+  k.bisection = 1;
+  k.stepping = 1;
+  k.dithering = DitheringCheckered;
+  k.skip_shared_edges = SharedEdgesTable;
+  k.head_start = 40;
+  k.stepping_fraction_bits = 5;
+  k.ddr_fraction_bits = 7;
+  k.corner_rounding = 1;
+  k.fifo_merge = 0;
+  expect_pins_of_the_chip(k, 525 * LineClocks);
 }
 
 TEST(RacebeamTop, PinsAreTheChipsForThreeFrames) {
