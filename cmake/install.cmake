@@ -80,7 +80,7 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}
   COMPONENT rtl)
 install(
-  PROGRAMS scripts/netlist scripts/strict.sh
+  PROGRAMS scripts/netlist scripts/timing scripts/strict.sh
   DESTINATION ${RACEBEAM_DATADIR}/scripts
   COMPONENT rtl)
 
