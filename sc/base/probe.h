@@ -62,4 +62,12 @@ std::vector<probe> registers_of(const Core& core, const Setting&... setting) {
   return all;
 }
 
+/// Bits of all of them.
+template <class Core, class... Setting>
+std::uint64_t register_bits(const Core& core, const Setting&... setting) {
+  std::uint64_t sum = 0;
+  for (const probe& one : registers_of(core, setting...)) sum += static_cast<unsigned>(one.bits);
+  return sum;
+}
+
 }  // namespace racebeam

@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ struct memory_row {
 struct multiplier_row {
   std::string name;
   int count, a_bits, b_bits;
+  int cut = 0;  ///< its partial products below 2^cut are left out
+
+  /// Of one of them.
+  int partial_products() const {
+    int kept = 0;
+    for (int a = 0; a < a_bits; ++a) kept += std::max(0, b_bits - std::max(0, cut - a));
+    return kept;
+  }
 };
 
 /// The names that all engines have are quantities(); others are steps on the way.
@@ -45,11 +54,21 @@ struct scene_number {
 struct silicon {
   std::vector<memory_row> memories;
   std::vector<multiplier_row> multipliers;
+  /// Registers, the sound's not, as each_register() names them; 0: not all of them are named.
+  std::uint64_t register_bits = 0;
   int roots = 0;     ///< units that find a root
   int dividers = 0;  ///< and a quotient
   std::vector<scene_number> scene;
   std::vector<quantity_row> quantities;
 
+  /// Of all multipliers.
+  std::uint64_t partial_products() const {
+    std::uint64_t sum = 0;
+    for (const multiplier_row& row : multipliers)
+      sum += static_cast<std::uint64_t>(row.count) *
+             static_cast<std::uint64_t>(row.partial_products());
+    return sum;
+  }
   std::uint64_t bits(memory_row::use used) const {
     std::uint64_t sum = 0;
     for (const memory_row& row : memories) sum += row.used == used ? row.bits : 0;

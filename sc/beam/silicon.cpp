@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-#include "sc/beam/interval_fifo.h"
+#include "sc/base/probe.h"
+#include "sc/beam/chip_core.h"
 #include "sc/beam/scene_program.h"
-#include "sc/beam/stacks.h"
 
 namespace racebeam {
 
@@ -16,6 +16,16 @@ constexpr int PlaceBits = 16, OpeningBits = 15, Faces = 6;  // of scene_rom
 
 int room_bits(const knobs& k) {
   return Faces * PlaceBits + Faces * k.portals_per_face * OpeningBits;
+}
+
+std::uint64_t chip_register_bits(const knobs& k, const scene_program* program) {
+  const chip_core chip(program);
+  return register_bits(chip.vga_timing, k.clocks_per_pixel) +
+         (program ? register_bits(chip.timeline, *program) : register_bits(chip.sequencer, k)) +
+         register_bits(chip.camera_unit, k) + register_bits(chip.ray_stepper, k) +
+         register_bits(chip.subdivider, k) + register_bits(chip.stacks, k) +
+         register_bits(chip.decision_datapath, k) + register_bits(chip.navigator, k) +
+         register_bits(chip.interval_fifo, k);
 }
 
 }  // namespace
@@ -40,7 +50,9 @@ silicon beam_silicon(const knob_values& values, const scene_tables* scene) {
       {"rooms", memory_row::Scene,
        program ? bits(static_cast<int>(program->rooms.size()), room_bits(k)) : 0},
   };
-  s.multipliers = {{"corner by ray", 2, k.dr_bits - 1, k.corner_factor_bits}};
+  s.multipliers = {
+      {"corner by ray", 2, k.dr_bits - 1, k.corner_factor_bits, k.partial_products_cut}};
+  s.register_bits = chip_register_bits(k, program);
   s.scene = {{"rooms", program ? static_cast<double>(program->rooms.size()) : 0},
              {"room_bits", program ? static_cast<double>(room_bits(k)) : 0}};
   s.quantities = {

@@ -7,14 +7,10 @@
 
 #include "sc/base/constants.h"
 #include "sc/beam/engine.h"
-#include "sc/beam/silicon.h"
 #include "sc/block/block_rays.h"
 #include "sc/block/engine.h"
-#include "sc/block/silicon.h"
 #include "sc/sphere/engine.h"
-#include "sc/sphere/silicon.h"
 #include "sc/voxel/engine.h"
-#include "sc/voxel/silicon.h"
 #include "tb/bench/benches.h"
 #include "tb/host/block_program.h"
 #include "tb/judge/goldens.h"
@@ -63,11 +59,10 @@ void add_jobs(const Show& show, const knob_values& values, const ChipBench::Fram
 }  // namespace
 
 const std::vector<CompareKind>& compare_kinds() {
-  static const std::vector<CompareKind> table = {
-      {beam_engine(), beam_silicon, add_busy_lines, VisibleColumns},
-      {sphere_engine(), sphere_silicon, add_pixels, 1},
-      {block_engine(), block_silicon, add_jobs, 1},
-      {voxel_engine(), voxel_silicon, add_pixels, 1}};
+  static const std::vector<CompareKind> table = {{beam_engine(), add_busy_lines, VisibleColumns},
+                                                 {sphere_engine(), add_pixels, 1},
+                                                 {block_engine(), add_jobs, 1},
+                                                 {voxel_engine(), add_pixels, 1}};
   return table;
 }
 

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "sc/base/silicon.h"
 #include "tb/base/spread.h"
 #include "tb/judge/hit_maps.h"
 
@@ -15,7 +14,6 @@ namespace racebeam {
 
 struct CompareKind {
   const racebeam::engine& engine;
-  silicon (*made_of)(const knob_values& k, const scene_tables* scene);
   /// Adds the clocks that each pixel took, or each line of an engine that races the beam.
   void (*add_costs)(const Show& show, const knob_values& k, const ChipBench::Frame& frame,
                     Spread& costs);

@@ -10,6 +10,7 @@
 #include "tb/report/area_figures.h"
 #include "tb/report/compare_kinds.h"
 #include "tb/show/set_knob.h"
+#include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
 
@@ -152,7 +153,7 @@ ComparedCell measure_cell(const Show& show, const knob_values& k, int first, int
     squares.add(frame.picture, *ideal);
   }
   for (std::size_t n = 0; n < k.rows().size(); ++n) cell.numbers[k.rows()[n].name] = k[n];
-  const silicon made = kind.made_of(k, show.tables());
+  const silicon made = sweep_kind(kind.engine).made_of(k, show.tables());
   put_counts(cell.numbers, built, sums);
   put_silicon(cell.numbers, made, k);
   put_hits(cell.numbers, hits);

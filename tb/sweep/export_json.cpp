@@ -133,6 +133,9 @@ void export_json(Store& store, OutputFile& out) {
   add_rows(store, out, "stopped", "SELECT * FROM stopped");
   add_rows(store, out, "units",
            "SELECT hash, unit, parameters, recipe, flip_flops, cells, area FROM unit");
+  add_rows(store, out, "chips",
+           "SELECT hash, top, parameters, technology, flip_flops, cells, area, multipliers, ns, "
+           "from_register, to_register FROM chip");
   add_rows(store, out, "disputed", "SELECT model, scene, point, frame, figures FROM disputed");
   add_rows(store, out, "runs", "SELECT * FROM run ORDER BY id");
   write(out, "\n}\n");

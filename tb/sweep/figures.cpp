@@ -267,9 +267,23 @@ std::vector<PointFigure> ray_figures() {
 }
 
 std::vector<PointFigure> silicon_figures() {
+  const auto exact = [](const char* name, const char* unit, const char* meaning,
+                        const char* tool = "") {
+    return PointFigure{name, unit, meaning, PointFigure::Exact, {}, {}, false, tool};
+  };
   return {
-      {"flip_flops", "bits", "flip-flops of the chip without sound", PointFigure::Exact, {}},
-      {"cells", "cells", "generic cells of the chip without sound", PointFigure::Exact, {}},
+      exact("register_bits", "bits", "registers of the chip without sound, by its model"),
+      exact("memory_bits", "bits", "queues, stacks and tables, registers or not, by its model"),
+      exact("partial_products", "bits", "products of two bits of all multipliers, by its model"),
+      exact("flip_flops", "bits", "flip-flops of the chip without sound", "silicon"),
+      exact("cells", "cells", "generic cells of the chip without sound", "silicon"),
+      exact("area", "um2", "cells of osu018, without sound, before layout", "timing"),
+      exact("multipliers", "%", "of that area, multipliers mapped alone", "timing"),
+      exact("tiles", "tiles", "of Tiny Tapeout, an estimate from the area", "timing"),
+      exact("longest_path", "ns", "in osu018, without wires; 0.4 ns are noise", "timing"),
+      exact("ice40.flip_flops", "bits", "flip-flops in an iCE40, without sound", "timing"),
+      exact("ice40.luts", "LUTs", "of four inputs in an iCE40, without sound", "timing"),
+      exact("ice40.clock", "MHz", "of an iCE40 HX8K, placed and routed", "timing"),
   };
 }
 

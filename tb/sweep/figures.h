@@ -39,11 +39,12 @@ struct PointFigure {
   std::vector<Term> terms;
   std::vector<Term> per = {};  ///< what a frame's number is divided by; empty: as its kind says
   bool of_cause = false;       ///< its column is an ErrorCause, not one of frames
+  const char* tool = "";       ///< the key of [measure] that brings an Exact one; "": the model
 
   /// Estimated from frames, with an interval.
   bool sampled() const { return kind != Largest && kind != Exact; }
   /// The key of [measure] that brings it: "silicon", "causes", or "".
-  const char* measure() const { return kind == Exact ? "silicon" : of_cause ? "causes" : ""; }
+  const char* measure() const { return of_cause ? "causes" : tool; }
   /// What is read of a frame.
   std::vector<std::string> columns() const;
   /// Whether an engine has all that it is read from.

@@ -92,6 +92,9 @@ void require_measure(const TomlEntry& entry, const SweepFigure& figure, const Sw
   if (figure.measure == "silicon" && !measure.silicon)
     faults.add(entry.place, "goal " + quoted(figure.name) + " is not measured",
                "write [measure] silicon = \"generic\"");
+  if (figure.measure == "timing" && measure.timing != SweepTiming::All)
+    faults.add(entry.place, "goal " + quoted(figure.name) + " is not measured of all points",
+               "write [measure] timing = \"all\"");
   if (figure.measure == "causes" && !measure.causes)
     faults.add(entry.place, "goal " + quoted(figure.name) + " is not measured",
                "write [measure] causes = true");

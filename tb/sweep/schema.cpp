@@ -75,6 +75,17 @@ std::vector<std::string> columns_of_frame(Database& database) {
   return names;
 }
 
+// A whole chip, mapped to a technology; ns: its longest path. Stores of before have no such table.
+constexpr const char* Chips = R"(TABLE chip(hash TEXT PRIMARY KEY, top TEXT, parameters TEXT,
+  technology TEXT, flip_flops INTEGER, cells INTEGER, area REAL, multipliers REAL, ns REAL,
+  from_register TEXT, to_register TEXT, digest INTEGER NOT NULL) STRICT;
+)";
+
+bool has_chips(Database& database) {
+  Statement tables(database, "SELECT 1 FROM sqlite_schema WHERE name = 'chip'");
+  return tables.next();
+}
+
 /// One row a point that was measured or failed, for people: the means of its sample.
 void make_view(Database& database) {
   std::string means;
@@ -156,14 +167,18 @@ void open_schema(Database& database, Journal journal) {
   if (!fresh) check_version(database);
   if (!database.writes()) {
     if (fresh) throw UsageError(database.file() + " is empty: no sweep has begun there");
+    if (!has_chips(database))
+      database.run(std::string("PRAGMA query_only = 0; CREATE TEMP ") + Chips +
+                   "PRAGMA query_only = 1");
     return;
   }
   database.run(journal == Journal::Log ? "PRAGMA journal_mode = WAL"
                                        : "PRAGMA journal_mode = DELETE");
   database.run("PRAGMA synchronous = FULL");
+  if (!fresh && !has_chips(database)) database.run(std::string("CREATE ") + Chips);
   if (!fresh) return;
   Transaction all(database);
-  database.run(Tables);
+  database.run(std::string(Tables) + "CREATE " + Chips);
   Statement meta(database, "INSERT INTO meta(key, value) VALUES (?, ?)");
   meta.with("schema", SchemaName).run();
   meta.with("version", std::to_string(SchemaVersion)).run();
@@ -193,6 +208,9 @@ const std::vector<DigestedTable>& digested_tables() {
       {"histogram", "model, scene, point, name, frames, bins"},
       {"cause", "model, scene, point, frame, cause, pixels"},
       {"unit", "hash, unit, parameters, recipe, flip_flops, cells, area"},
+      {"chip",
+       "hash, top, parameters, technology, flip_flops, cells, area, multipliers, ns, "
+       "from_register, to_register"},
       {"reference", "hash, picture"},
       {"scan", "model, scene, point, frame, busy_max, starved"},
   };

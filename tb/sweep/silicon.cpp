@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -20,7 +21,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr const char* Sound = "pwm_sound";
 constexpr auto VersionLimit = std::chrono::seconds(60);
 
 std::string yosys_version() {
@@ -34,11 +34,15 @@ std::string yosys_version() {
   return line;
 }
 
+std::string text_of(const rtl_parameter& parameter) {
+  return parameter.name + "=" + std::to_string(parameter.value);
+}
+
 }  // namespace
 
-std::string recipe_file() {
+std::string recipe_file(const std::string& script) {
   std::error_code error;
-  const std::string file = project_folder() + "/scripts/netlist";
+  const std::string file = project_folder() + "/scripts/" + script;
   if (!std::filesystem::exists(file, error))
     throw MissingTool("racebeam is installed without its RTL: there is no " + file +
                       "; `cmake --install BUILD --component rtl` adds it");
@@ -55,45 +59,63 @@ Silicon::Silicon(const engine& engine)
       recipe_(content_key({whole_file(recipe_file())})),
       usual_(engine.parameters(engine.standard(nullptr))),
       known_(usual_.size()) {
+  if (*engine.top) top_ = unit_named(engine.top);
   for (const std::string& name : engine.unit_names(false)) {
     if (name == Sound) continue;
-    const UnitSources sources = unit_sources(name, rtl_folders());
-    Unit unit{name, sources.key, {}};
-    for (std::size_t i = 0; i < usual_.size(); ++i) {
-      if (sources.parameters.count(usual_[i].name) == 0) continue;
-      unit.parameters.push_back(i);
-      known_[i] = true;
-    }
-    units_.push_back(unit);
+    units_.push_back(unit_named(name));
+    for (const std::size_t i : units_.back().parameters) known_[i] = true;
   }
 }
 
-std::vector<UnitParameters> Silicon::units_of(const knob_values& k) const {
+Silicon::Unit Silicon::unit_named(const std::string& name) const {
+  const UnitSources sources = unit_sources(name, rtl_folders());
+  Unit unit{name, sources.key, {}};
+  for (std::size_t i = 0; i < usual_.size(); ++i)
+    if (sources.parameters.count(usual_[i].name) != 0) unit.parameters.push_back(i);
+  return unit;
+}
+
+std::vector<rtl_parameter> Silicon::parameters_of(const knob_values& k) const {
   const knob_values usual = engine_.standard(nullptr);
   knob_values inside = k;
   for (std::size_t row = 0; row < k.rows().size(); ++row)
     for (const char* name : sweep_kind(engine_).outside)
       if (std::string(name) == k.rows()[row].name) inside[row] = usual[row];
-  const std::vector<rtl_parameter> wanted = engine_.parameters(inside);
-  std::vector<std::string> settings;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    settings.push_back(wanted[i].name + "=" + std::to_string(wanted[i].value));
+  return engine_.parameters(inside);
+}
+
+UnitParameters Silicon::with(const Unit& unit, const std::vector<rtl_parameter>& wanted) const {
+  UnitParameters own{unit.name, "", ""};
+  for (const std::size_t i : unit.parameters) {
+    const std::string setting = text_of(wanted[i]);
+    own.parameters += (own.parameters.empty() ? "" : " ") + setting;
+    if (wanted[i].value != usual_[i].value) own.settings.push_back(setting);
+  }
+  own.hash = content_key({GenericRecipe, recipe_, yosys_, own.unit, own.parameters, unit.sources});
+  return own;
+}
+
+std::vector<UnitParameters> Silicon::units_of(const knob_values& k) const {
+  const std::vector<rtl_parameter> wanted = parameters_of(k);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
     if (!known_[i] && wanted[i].value != usual_[i].value)
       throw NoSilicon(wanted[i].what + " is of the model only: no unit's RTL has " +
-                      settings.back());
-  }
+                      text_of(wanted[i]));
   std::vector<UnitParameters> units;
-  for (const Unit& unit : units_) {
-    UnitParameters own{unit.name, "", ""};
-    for (const std::size_t i : unit.parameters) {
-      own.parameters += (own.parameters.empty() ? "" : " ") + settings[i];
-      if (wanted[i].value != usual_[i].value) own.settings.push_back(settings[i]);
-    }
-    own.hash =
-        content_key({GenericRecipe, recipe_, yosys_, own.unit, own.parameters, unit.sources});
-    units.push_back(own);
-  }
+  for (const Unit& unit : units_) units.push_back(with(unit, wanted));
   return units;
+}
+
+UnitParameters Silicon::chip_of(const knob_values& k) const {
+  if (top_.name.empty())
+    throw NoSilicon(std::string(engine_.name) + " has no RTL of a whole chip that takes knobs");
+  const std::vector<rtl_parameter> wanted = parameters_of(k);
+  const auto& known = top_.parameters;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i].value != usual_[i].value && std::count(known.begin(), known.end(), i) == 0)
+      throw NoSilicon(wanted[i].what + " is none of the whole chip: " + top_.name + " has no " +
+                      text_of(wanted[i]));
+  return with(top_, wanted);
 }
 
 }  // namespace racebeam

@@ -1,7 +1,8 @@
 // Silicon: which units a point's chip is made of, and what tells their syntheses apart.
 //
 // The silicon of a chip is the sum over its units, without the sound, which is the same in all: a
-// unit is synthesised once for all points in which its own parameters are the same.
+// unit is synthesised once for all points in which its own parameters are the same. A whole chip is
+// its top module, with the parameters of its units.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -18,9 +19,10 @@
 namespace racebeam {
 
 constexpr const char* GenericRecipe = "generic";  ///< that of scripts/netlist --count
+constexpr const char* Sound = "pwm_sound";
 
-/// The script that has the recipe.
-std::string recipe_file();
+/// The script that has the recipe, or another one. Throws MissingTool.
+std::string recipe_file(const std::string& script = "netlist");
 
 /// A unit's synthesis: all that its result depends on.
 struct UnitParameters {
@@ -50,18 +52,26 @@ class Silicon {
   /// What has to be synthesised for a point, without doing it. Pins change no silicon. Throws
   /// NoSilicon of a knob that differs from the chip and that no unit's RTL has.
   std::vector<UnitParameters> units_of(const knob_values& k) const;
+  /// engine::top for a point, the sound in it. Throws NoSilicon if there is none, and of a knob
+  /// that it has not.
+  UnitParameters chip_of(const knob_values& k) const;
+  const engine& of() const { return engine_; }
 
  private:
   struct Unit {
     std::string name, sources;            ///< sources: their key
     std::vector<std::size_t> parameters;  ///< that are knobs: places in engine::parameters
   };
+  Unit unit_named(const std::string& name) const;
+  std::vector<rtl_parameter> parameters_of(const knob_values& k) const;
+  UnitParameters with(const Unit& unit, const std::vector<rtl_parameter>& wanted) const;
 
   const engine& engine_;
   std::string yosys_, recipe_;
   std::vector<rtl_parameter> usual_;  ///< of the chip
   std::vector<bool> known_;           ///< of those: a unit has it
   std::vector<Unit> units_;
+  Unit top_;
 };
 
 }  // namespace racebeam

@@ -42,6 +42,7 @@ starved = { most = "1 %" }
 [measure]
 causes = false               # errors by cause: the figures error.give_up and so on
 silicon = "generic"          # flip-flops and cells, by yosys; "off" without
+timing = "off"               # area and longest path of whole chips: of the "front", or of "all"
 pictures = [7223, "worst"]   # frames kept as pictures
 reference = "geometry"       # what pictures are compared with: geometry, trace4, base
 

@@ -67,6 +67,7 @@ class Store {
  public:
   FrameTable frames{database_};
   UnitCache units{database_};
+  ChipCache chips{database_};
   ReferenceCache references{database_};
   FailureTable failures{database_};
   StoppedTable stopped{database_};

@@ -1,5 +1,5 @@
-// What a store keeps so that it is not made twice: the silicon of units, and pictures that points
-// are compared with.
+// What a store keeps so that it is not made twice: the silicon of units and of chips, and pictures
+// that points are compared with.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -27,6 +27,26 @@ class UnitCache {
   std::optional<UnitSilicon> find(const std::string& hash) const;
   /// One that is there stays.
   void put(const UnitSilicon& unit);
+
+ private:
+  Database& database_;
+};
+
+/// A whole chip in a technology; its key is `hash`, as of UnitSilicon.
+struct MappedChip {
+  std::string hash, top, parameters, technology;
+  std::int64_t flip_flops = 0, cells = 0;   ///< cells of an FPGA: its LUTs
+  std::optional<double> area, multipliers;  ///< if the technology has them; of all, of multipliers
+  double ns = 0;                            ///< the longest path, with the setup time
+  std::string from, to;                     ///< its registers: "u_subdivider.state_q[1]"
+};
+
+class ChipCache {
+ public:
+  explicit ChipCache(Database& database) : database_(database) {}
+  std::optional<MappedChip> find(const std::string& hash) const;
+  /// One that is there stays.
+  void put(const MappedChip& chip);
 
  private:
   Database& database_;

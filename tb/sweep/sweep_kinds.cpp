@@ -5,9 +5,13 @@
 #include <stdexcept>
 
 #include "sc/beam/engine.h"
+#include "sc/beam/silicon.h"
 #include "sc/block/engine.h"
+#include "sc/block/silicon.h"
 #include "sc/sphere/engine.h"
+#include "sc/sphere/silicon.h"
 #include "sc/voxel/engine.h"
+#include "sc/voxel/silicon.h"
 #include "tb/sweep/model_hash.h"
 
 namespace racebeam {
@@ -20,6 +24,7 @@ const std::vector<SweepKind>& sweep_kinds() {
        {"picture_error", "starved", "busy.max"},
        {"busy_clocks.max", "seen_starved_pixels"},
        {"speed", "interlace"},
+       beam_silicon,
        make_beam_frame_judge},
       {sphere_engine(),
        {false, SweepReference::Geometry},
@@ -27,6 +32,7 @@ const std::vector<SweepKind>& sweep_kinds() {
        {"picture_error", "clocks", "stalls"},
        {"clocks", "buffer_stalls"},
        {"clocks_per_pixel", "host_clocks_per_word", "capture_guard", "as_built"},
+       sphere_silicon,
        make_sphere_frame_judge},
       {block_engine(),
        {false, SweepReference::Geometry},
@@ -34,6 +40,7 @@ const std::vector<SweepKind>& sweep_kinds() {
        {"picture_error", "clocks", "cores.busy"},
        {"clocks", "bus_stalls"},
        {"time_skip", "load_bar"},
+       block_silicon,
        make_block_frame_judge},
       {voxel_engine(),
        {false, SweepReference::Geometry},
@@ -41,6 +48,7 @@ const std::vector<SweepKind>& sweep_kinds() {
        {"picture_error", "clocks", "fetches"},
        {"clocks", "buffer_stalls"},
        {"build_chunk"},
+       voxel_silicon,
        make_voxel_frame_judge}};
   return table;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/base/silicon.h"
 #include "tb/sweep/frame_judge.h"
 #include "tb/sweep/sweep_reader.h"
 
@@ -21,6 +22,7 @@ struct SweepKind {
   std::vector<const char*> shown;    ///< figures of a table, beside those of goals
   std::array<const char*, 2> worst;  ///< the columns in which guard frames have the largest values
   std::vector<const char*> outside;  ///< knobs that are no silicon: pins, the board, the host
+  silicon (*made_of)(const knob_values& k, const scene_tables* scene);
   std::unique_ptr<FrameJudge> (*judge)(const Show& show, const Block& block);
 };
 

@@ -112,7 +112,8 @@ void read_measure(const TomlNode& node, const SweepNames& names, const engine& b
   int number = 0;
   table.read("causes", measure.causes);
   if (table.read_choice("silicon", {"off", "generic"}, number)) measure.silicon = number == 1;
-  table.read_choice("timing", {"off"}, number);
+  if (table.read_choice("timing", {"off", "front", "all"}, number))
+    measure.timing = static_cast<SweepTiming>(number);
   if (const TomlNode* pictures = table.find("pictures")) read_pictures(*pictures, measure, faults);
   if (table.read_choice("reference", reference_words(), number))
     measure.reference = static_cast<SweepReference>(number);

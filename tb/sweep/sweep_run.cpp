@@ -22,11 +22,13 @@
 #include "tb/sweep/schema.h"
 #include "tb/sweep/sweep_changes.h"
 #include "tb/sweep/sweep_dry_run.h"
+#include "tb/sweep/sweep_kinds.h"
 #include "tb/sweep/sweep_pictures.h"
 #include "tb/sweep/sweep_progress.h"
 #include "tb/sweep/sweep_silicon.h"
 #include "tb/sweep/sweep_state.h"
 #include "tb/sweep/sweep_summary.h"
+#include "tb/sweep/sweep_timing.h"
 #include "tb/sweep/worker.h"
 
 namespace racebeam {
@@ -71,7 +73,8 @@ class Sweep {
         measurer_(plan, folder, store, model, server, options.jobs,
                   [this] { progress_.look(measurer_, rung_); }),
         state_(plan, store, measurer_),
-        silicon_(plan, &store, options.fresh) {}
+        silicon_(plan, &store, options.fresh),
+        timing_(plan, store, options.fresh) {}
 
   int run() {
     Found::forget(store_);
@@ -98,9 +101,10 @@ class Sweep {
     measurer_.forget_failures();
     store_.stopped.replace(model_, state_.stops());
     folder_.keep_figures(figures_csv(plan_, measurer_, state_, rung_));
-    const std::string text = summary_text(plan_, measurer_, state_, rung_);
+    const std::string text = summary_text(plan_, measurer_, state_, rung_) + timing_.text();
     print(text);
-    if (!silicon_.absent()) Found(plan_).keep(store_, text, measurer_.failed() > 0);
+    if (!silicon_.absent() && !timing_.absent())
+      Found(plan_).keep(store_, text, measurer_.failed() > 0);
     return measurer_.failed() ? ExitDifference : ExitGood;
   }
 
@@ -138,7 +142,9 @@ class Sweep {
 
   bool measure() {
     if (!repeats_as_stored(plan_, store_, model_, measurer_)) return false;
+    give_model_silicon();
     silicon_.measure(state_, measurer_, options_.jobs);
+    if (plan_.file.measure.timing == SweepTiming::All) map_chips_of(state_.running());
     const bool races = plan_.file.search.race && !plan_.file.goals.empty();
     for (const int frames : races ? rungs(last_rung()) : std::vector<int>{last_rung()}) {
       if (!measure_rung(frames)) return false;
@@ -147,7 +153,39 @@ class Sweep {
     const int most = std::max(plan_.file.frames.most, last_rung());
     while (rung_ < most && state_.wide(rung_))
       if (!measure_rung(std::min(2 * rung_, most))) return false;
-    return guard() && keep_pictures(plan_, folder_, measurer_, state_);
+    if (!guard()) return false;
+    if (plan_.file.measure.timing == SweepTiming::Front) map_chips_of(front());
+    return keep_pictures(plan_, folder_, measurer_, state_);
+  }
+
+  /// What needs no tool.
+  void give_model_silicon() {
+    for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point) {
+      const silicon made = sweep_kind(*plan_.file.built)
+                               .made_of(plan_.points[static_cast<std::size_t>(point)].k.front(),
+                                        plan_.scenes.front().show.tables());
+      const auto set = [&](const char* figure, std::uint64_t value) {
+        state_.set_exact(point, figure, static_cast<double>(value));
+      };
+      if (made.register_bits > 0) set("register_bits", made.register_bits);
+      set("memory_bits", made.bits(memory_row::Working));
+      set("partial_products", made.partial_products());
+    }
+  }
+
+  void map_chips_of(const std::vector<int>& points) {
+    timing_.measure(points, state_, measurer_, options_.jobs);
+  }
+
+  /// With the base; without goals all points.
+  std::vector<int> front() const {
+    if (plan_.file.goals.empty()) return state_.running();
+    const SweepState::Verdicts all = state_.judge(rung_);
+    std::vector<int> points;
+    for (std::size_t i = 0; i < all.points.size(); ++i)
+      if (all.points[i] == 0 || all.verdicts[i].standing == Verdict::Front)
+        points.push_back(all.points[i]);
+    return points;
   }
 
   bool measure_rung(int frames) {
@@ -180,6 +218,7 @@ class Sweep {
   Measurer measurer_;
   SweepState state_;
   SweepSilicon silicon_;
+  SweepTimings timing_;
 };
 
 }  // namespace

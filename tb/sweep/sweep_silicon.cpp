@@ -47,7 +47,7 @@ SweepSilicon::SweepSilicon(const SweepPlan& plan, Store* store, bool fresh)
 bool SweepSilicon::needed() const {
   const auto& goals = plan_.file.goals;
   return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) {
-    return figure_named(goal.figure)->kind == PointFigure::Exact;
+    return figure_named(goal.figure)->measure() == std::string("silicon");
   });
 }
 

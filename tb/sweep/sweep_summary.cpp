@@ -39,6 +39,8 @@ std::vector<const PointFigure*> shown_figures(const SweepPlan& plan) {
   for (const Goal& goal : plan.file.goals) add(goal.figure);
   for (const char* name : sweep_kind(*plan.file.built).shown) add(name);
   if (plan.file.measure.silicon) add("cells");
+  if (plan.file.measure.timing != SweepTiming::Off)
+    for (const char* name : {"area", "longest_path", "ice40.luts", "ice40.clock"}) add(name);
   return figures;
 }
 

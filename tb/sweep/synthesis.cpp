@@ -47,16 +47,20 @@ UnitOutcome outcome_of(const UnitParameters& unit, const ToolResult& result,
   const auto fault = [&unit](const std::string& why) {
     return UnitOutcome{{}, unit.text() + ": " + why};
   };
-  if (result.late)
-    return fault(fmt::format("yosys did not end within {:g} seconds",
-                             std::chrono::duration<double>(limit).count()));
-  if (!result.good) return fault(reason_in(result.said));
+  if (result.late || !result.good) return fault(fault_of(result, limit, "yosys"));
   std::optional<UnitSilicon> silicon = figures_in(result.said, unit);
-  if (!silicon) return fault("no figures: " + reason_in(result.said));
+  if (!silicon) return fault(fault_of(result, limit, "yosys"));
   return {silicon, ""};
 }
 
 }  // namespace
+
+std::string fault_of(const ToolResult& result, std::chrono::milliseconds limit, const char* tool) {
+  if (result.late)
+    return fmt::format("{} did not end within {:g} seconds", tool,
+                       std::chrono::duration<double>(limit).count());
+  return (result.good ? "no figures: " : "") + reason_in(result.said);
+}
 
 void synthesise(const std::vector<UnitParameters>& units, const SynthesisPlan& plan,
                 const std::function<void(const UnitParameters&, const UnitOutcome&)>& done) {

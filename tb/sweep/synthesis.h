@@ -12,6 +12,7 @@
 
 #include "tb/sweep/silicon.h"
 #include "tb/sweep/store_caches.h"
+#include "tb/verilate/run_tool.h"
 
 namespace racebeam {
 
@@ -26,6 +27,10 @@ struct SynthesisPlan {
   std::chrono::milliseconds limit = std::chrono::minutes(5);  ///< of each unit, then it has failed
   std::function<void()> tick{};                               ///< called some ten times a second
 };
+
+/// Why there are no figures of a run, by what `tool` did or said: "yosys did not end within 300
+/// seconds".
+std::string fault_of(const ToolResult& result, std::chrono::milliseconds limit, const char* tool);
 
 /// Runs all of them, and calls `done` for each in the order in which they end. Nothing that was
 /// started lives on, whatever `done` throws. Throws MissingTool, Interrupted, RtlError if nothing

@@ -44,7 +44,7 @@ TEST_F(CliSweepFaults, AllOfThemAreToldAtOnceWithTheirPlacesAndTheNearestNames) 
       "cells = \"min\"\n"
       "busy = \"least\"\n"
       "[measure]\n"
-      "timing = \"front\"\n"
+      "timing = \"fast\"\n"
       "reference = 4\n");
   for (const char* fault :
        {"s.toml:1:11: unknown scene 'hous'", "did you mean 'house'?",
@@ -54,7 +54,7 @@ TEST_F(CliSweepFaults, AllOfThemAreToldAtOnceWithTheirPlacesAndTheNearestNames) 
         "s.toml:7:46: 'step' is 0", "s.toml:8:16: 'fifo_entries' has an empty list",
         "s.toml:9:13: 'bisection' is 'pow3'", "s.toml:13:8: the name 'a' is used twice",
         "s.toml:15:10: 'method' is 'nsga2'", "s.toml:17:1: goal 'cells' is not measured",
-        "s.toml:18:8: 'busy' is 'least'", "s.toml:20:10: 'timing' is 'front'",
+        "s.toml:18:8: 'busy' is 'least'", "s.toml:20:10: 'timing' is 'fast'",
         "s.toml:21:13: ", "14 faults in s.toml"})
     EXPECT_THAT(said, HasSubstr(fault));
 }
