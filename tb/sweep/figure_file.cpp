@@ -55,13 +55,17 @@ std::string numbers(const PointFigure& figure, const PointReading& of, const Poi
 
 }  // namespace
 
-std::string figures_csv(const SweepPlan& plan, const Measurer& measurer, const SweepState& state,
-                        int frames) {
+std::vector<const PointFigure*> sweep_figures(const SweepFile& file) {
   std::vector<const PointFigure*> figures;
   for (const PointFigure& figure : figure_table())
-    if (figure.is_of(*plan.file.built) &&
-        (!figure.of_cause || is_cause(figure, plan.file.measure.reference)))
+    if (figure.is_of(*file.built) && (!figure.of_cause || is_cause(figure, file.measure.reference)))
       figures.push_back(&figure);
+  return figures;
+}
+
+std::string figures_csv(const SweepPlan& plan, const Measurer& measurer, const SweepState& state,
+                        int frames) {
+  const std::vector<const PointFigure*> figures = sweep_figures(plan.file);
   std::string text = "point,scene,figure,unit,frames,value,half_width,change,change_half_width\n";
   const std::vector<PointReading> base = state.read(0, figures, frames);
   const int scenes = static_cast<int>(plan.scenes.size());

@@ -5,11 +5,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tb/sweep/measurer.h"
 #include "tb/sweep/sweep_state.h"
 
 namespace racebeam {
+
+/// All figures that a sweep may have, in the order of their table.
+std::vector<const PointFigure*> sweep_figures(const SweepFile& file);
 
 /// One row a point, scene and figure that was measured: frames of which it is, the value, half of
 /// its interval of 95 %, the change against the base on the same frames, and half of that one's. A

@@ -16,7 +16,7 @@
 #include "tb/sweep/block_runner.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/model_hash.h"
-#include "tb/sweep/schema.h"
+#include "tb/sweep/stored_setting.h"
 #include "tb/sweep/sweep_kinds.h"
 
 namespace racebeam {
@@ -78,27 +78,6 @@ std::string repeatable(const StoredScene& scene) try {
   return open_show(scene.name).hash() == scene.hash ? "" : " has changed";
 } catch (const UsageError& error) {
   return std::string(" cannot be read (") + error.what() + ")";
-}
-
-// The knobs of a stored setting, and what it was compared with.
-bool read_setting(const std::string& text, knob_values& k, SweepReference& reference) {
-  const auto& words = reference_words();
-  for (const auto& [name, value] : setting_of(text)) {
-    if (name == "reference") {
-      const auto at = std::find(words.begin(), words.end(), value);
-      if (at == words.end()) return false;
-      reference = static_cast<SweepReference>(at - words.begin());
-    }
-    for (std::size_t at = 0; at < k.rows().size(); ++at) {
-      const knob_row& row = k.rows()[at];
-      if (name != row.name) continue;
-      int number = row.min;
-      while (number <= row.max && row.text(number) != value) ++number;
-      if (number > row.max) return false;
-      k[at] = number;
-    }
-  }
-  return true;
 }
 
 }  // namespace

@@ -7,42 +7,11 @@
 
 namespace racebeam {
 
-namespace {
-
-Reading::Kind kind_of(const PointFigure& figure) {
-  if (figure.kind == PointFigure::Exact) return Reading::Exact;
-  return figure.sampled() ? Reading::Sampled : Reading::Largest;
-}
-
-}  // namespace
-
 std::vector<int> SweepState::running() const {
   std::vector<int> points;
   for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
     if (stopped(point).empty() && measurer_.failure(point).empty()) points.push_back(point);
   return points;
-}
-
-// Of the first frames that may be taken, and guard frames; one may be both.
-std::vector<FrameRow> SweepState::rows(int point, int scene,
-                                       const std::vector<std::string>& columns, bool causes,
-                                       int frames) const {
-  const std::vector<int>& order = plan_.scenes[static_cast<std::size_t>(scene)].order;
-  const auto taken = std::min(order.size(), static_cast<std::size_t>(frames));
-  std::vector<int> first(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(taken));
-  std::sort(first.begin(), first.end());
-  const FrameKey key = measurer_.key(point, scene);
-  std::vector<FrameRow> rows =
-      causes ? store_.frames.read_causes(key, columns) : store_.frames.read(key, columns);
-  rows.erase(std::remove_if(rows.begin(), rows.end(),
-                            [&](FrameRow& row) {
-                              const bool sample =
-                                  std::binary_search(first.begin(), first.end(), row.frame);
-                              row.guard = row.guard && !sample;
-                              return !sample && !row.guard;
-                            }),
-             rows.end());
-  return rows;
 }
 
 PointReading SweepState::read(int point, const PointFigure& figure, int frames) const {
@@ -52,36 +21,17 @@ PointReading SweepState::read(int point, const PointFigure& figure, int frames) 
 std::vector<PointReading> SweepState::read(int point,
                                            const std::vector<const PointFigure*>& figures,
                                            int frames) const {
-  std::vector<std::string> columns[2];  // of frames, and causes
-  std::vector<PointReading> all;
-  for (const PointFigure* figure : figures) {
-    PointReading& result = all.emplace_back();
-    result.there = true;
-    result.reading.kind = kind_of(*figure);
-    if (figure->kind == PointFigure::Exact) {
-      const auto at = exact_.find({point, figure->name});
-      result.there = at != exact_.end();
-      if (result.there) result.reading.exact = at->second;
+  std::vector<SceneFrames> scenes;
+  for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
+    scenes.push_back(
+        {measurer_.key(point, scene), &plan_.scenes[static_cast<std::size_t>(scene)].order});
+  std::vector<PointReading> all = read_figures(store_.frames, scenes, figures, frames);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (const auto at = exact_.find({point, figures[i]->name});
+        figures[i]->kind == PointFigure::Exact && at != exact_.end()) {
+      all[i].there = true;
+      all[i].reading.exact = at->second;
     }
-    for (const std::string& column : figure->columns())
-      if (auto& names = columns[figure->of_cause];
-          std::find(names.begin(), names.end(), column) == names.end())
-        names.push_back(column);
-  }
-  for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene) {
-    const int population =
-        static_cast<int>(plan_.scenes[static_cast<std::size_t>(scene)].order.size());
-    for (const bool causes : {false, true}) {
-      if (columns[causes].empty()) continue;
-      const std::vector<FrameRow> rows = this->rows(point, scene, columns[causes], causes, frames);
-      for (std::size_t i = 0; i < figures.size(); ++i) {
-        if (figures[i]->kind == PointFigure::Exact || figures[i]->of_cause != causes) continue;
-        Strata& strata = all[i].reading.frames;
-        strata.push_back(FigureReader(*figures[i], columns[causes]).stratum(rows, population));
-        all[i].there = all[i].there && !strata.back().frames.empty();
-      }
-    }
-  }
   return all;
 }
 
@@ -103,7 +53,7 @@ std::vector<Candidate> SweepState::candidates(const std::vector<int>& points, in
     for (const Goal& goal : plan_.file.goals) {
       const PointFigure& figure = *figure_named(goal.figure, *plan_.file.built);
       candidate.readings.push_back(candidate.stopped && figure.kind != PointFigure::Exact
-                                       ? Reading{kind_of(figure), 0, {}}
+                                       ? Reading{reading_kind(figure), 0, {}}
                                        : read(point, figure, frames).reading);
     }
     all.push_back(std::move(candidate));

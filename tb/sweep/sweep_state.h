@@ -11,16 +11,11 @@
 #include "tb/sweep/figures.h"
 #include "tb/sweep/front.h"
 #include "tb/sweep/measurer.h"
+#include "tb/sweep/point_reading.h"
 #include "tb/sweep/racing.h"
 #include "tb/sweep/sweep_plan.h"
 
 namespace racebeam {
-
-/// Of a figure for a point, as far as it is measured.
-struct PointReading {
-  bool there = false;
-  Reading reading{};
-};
 
 class SweepState {
  public:
@@ -63,8 +58,6 @@ class SweepState {
     std::string why{};
   };
 
-  std::vector<FrameRow> rows(int point, int scene, const std::vector<std::string>& columns,
-                             bool causes, int frames) const;
   std::vector<int> measured() const;
   /// `racing`: figures of frames of those that go on only.
   std::vector<Candidate> candidates(const std::vector<int>& points, int frames, bool racing) const;

@@ -9,6 +9,7 @@
 
 #include "tb/base/errors.h"
 #include "tb/base/output_file.h"
+#include "tb/sweep/begun_folder.h"
 #include "tb/sweep/export.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/store.h"
@@ -25,28 +26,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The folder of a sweep that has begun.
-struct BegunFolder : SweepFolder {
-  explicit BegunFolder(const std::string& path) : SweepFolder(path, Access::Read) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(store(), ignored))
-      throw UsageError(path +
-                       " is not the folder of a sweep: it has no sweep.sqlite; racebeam "
-                       "sweep run FILE.toml -o " +
-                       path + " makes one");
-  }
-};
-
-// A model of this program, or else the last one; 0: there is none yet.
-std::int64_t model_of(Store& store) {
-  std::int64_t model = 0;
-  for (const StoredModel& one : store.models()) {
-    model = one.id;
-    if (engine_of_model(one.hash)) break;
-  }
-  return model;
-}
-
 // What status.json says, if it is whole.
 Json kept_status(const SweepFolder& folder) {
   const Json json = Json::parse(folder.status(), nullptr, false);
@@ -61,7 +40,7 @@ Json status_json(const std::string& path) {
   if (!user && json.value("state", "") == "running") json["state"] = "killed";
   json["in_use_by"] = user ? Json(*user) : Json();
   Store store(folder.store(), Access::Read);
-  const std::int64_t model = model_of(store);
+  const std::int64_t model = shown_model(store);
   json["stored_frames"] = model ? store.frames.count(model) : 0;
   json["disputed_frames"] = model ? store.frames.disputed(model) : 0;
   Json older = Json::array();
@@ -131,7 +110,7 @@ bool check_sweep(const std::string& path, int sample, int jobs, std::string& rep
     return false;
   }
   Store store(folder.store(), Access::Read);
-  const std::int64_t model = model_of(store);
+  const std::int64_t model = shown_model(store);
   const std::int64_t frames = model ? store.frames.count(model) : 0;
   report += fmt::format("sound: {} frames, each as its digest says\n", grouped(frames));
   return repeat_frames(store, model, sample, server, jobs, report);
@@ -140,7 +119,7 @@ bool check_sweep(const std::string& path, int sample, int jobs, std::string& rep
 void export_sweep(const std::string& path, ExportKind kind, const std::string& file) {
   const BegunFolder folder(path);
   Store store(folder.store(), Access::Read);
-  const std::int64_t model = model_of(store);
+  const std::int64_t model = shown_model(store);
   if (!model) throw UsageError(path + " has no results yet; run the sweep first");
   OutputFile out(file);
   if (kind == ExportKind::Points) export_points(store, model, out);

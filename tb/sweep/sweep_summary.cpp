@@ -10,39 +10,13 @@
 #include "tb/base/counted.h"
 #include "tb/sweep/figures.h"
 #include "tb/sweep/interval_text.h"
-#include "tb/sweep/sweep_kinds.h"
+#include "tb/sweep/verdict_words.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr std::size_t MostRows = 40;
-
-const char* standing_word(Verdict::Standing standing) {
-  switch (standing) {
-    case Verdict::Front: return "front";
-    case Verdict::Dominated: return "dominated";
-    case Verdict::Undecided: return "undecided";
-    case Verdict::Unwanted: return "unwanted";
-  }
-  return "";
-}
-
-// Goals first, then what says at what price.
-std::vector<const PointFigure*> shown_figures(const SweepPlan& plan) {
-  std::vector<const PointFigure*> figures;
-  const auto add = [&](const std::string& name) {
-    const PointFigure* figure = figure_named(name, *plan.file.built);
-    if (std::find(figures.begin(), figures.end(), figure) == figures.end())
-      figures.push_back(figure);
-  };
-  for (const Goal& goal : plan.file.goals) add(goal.figure);
-  for (const char* name : sweep_kind(*plan.file.built).shown) add(name);
-  if (plan.file.measure.silicon) add("cells");
-  if (plan.file.measure.timing != SweepTiming::Off)
-    for (const char* name : {"area", "longest_path", "ice40.luts", "ice40.clock"}) add(name);
-  return figures;
-}
 
 // Of one scene, or of all (-1).
 Strata strata_of(const PointReading& read, int scene) {
@@ -86,7 +60,7 @@ class Summary {
         state_(state),
         frames_(frames),
         all_(state.judge(frames)),
-        figures_(shown_figures(plan)) {
+        figures_(shown_figures(plan.file)) {
     choose_rows();
   }
 
@@ -96,7 +70,10 @@ class Summary {
       for (int scene = 0; scene < static_cast<int>(plan_.scenes.size()); ++scene)
         text += "\n" + plan_.scenes[static_cast<std::size_t>(scene)].name + "\n" + table(scene);
     if (left_out_ > 0) text += fmt::format("... and {} more\n", left_out_);
-    text += longest_note() + best() + counts();
+    text += longest_note() +
+            best_words(plan_.file, all_.candidates, all_.verdicts,
+                       static_cast<int>(plan_.points.size())) +
+            counts_words(plan_.file, all_.verdicts, measurer_.failed());
     for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
       if (const std::string& why = measurer_.failure(point); !why.empty())
         text += fmt::format("failed: {}: {}\n", name(point), why);
@@ -157,58 +134,6 @@ class Summary {
         return fmt::format("* worst of the {} frames rendered\n", grouped(worst.frames));
       }
     return "";
-  }
-
-  // The point that changes the first sampled goal the most for the better, against the base, with
-  // the interval for the best of all points.
-  std::string best() const {
-    const std::vector<Goal>& goals = plan_.file.goals;
-    for (std::size_t n = 0; n < goals.size(); ++n) {
-      const PointFigure& figure = *figure_named(goals[n].figure, *plan_.file.built);
-      if (goals[n].kind == GoalKind::Limit || !figure.sampled()) continue;
-      const double sign = goals[n].kind == GoalKind::Max ? -1 : 1;
-      std::size_t best = 0;
-      Estimate change;
-      for (std::size_t i = 1; i < all_.points.size(); ++i) {
-        if (all_.verdicts[i].standing != Verdict::Front) continue;
-        const Estimate one = difference_of(all_.candidates[i].readings[n].frames,
-                                           all_.candidates[0].readings[n].frames,
-                                           for_best_of(static_cast<int>(plan_.points.size()) - 1));
-        if (best != 0 && sign * one.value >= sign * change.value) continue;
-        best = i;
-        change = one;
-      }
-      if (best == 0 || sign * change.value >= 0) continue;
-      return sentence(figure, name(all_.points[best]), name(all_.points[0]), change);
-    }
-    return "";
-  }
-
-  std::string sentence(const PointFigure& figure, const std::string& better,
-                       const std::string& base, Estimate change) const {
-    const bool sure = change.differs_from(0);
-    const bool less = change.value < 0;
-    change.value = std::abs(change.value);
-    const std::string unit = figure.kind == PointFigure::Percent ? "points" : figure.unit;
-    return fmt::format("{} has {} {} than {} by {}{}{}\n", better, less ? "less" : "more",
-                       figure.name, base, text_of(change, unit),
-                       plan_.points.size() > 2 && !change.all()
-                           ? fmt::format(" (95 % for the best of {})", plan_.points.size() - 1)
-                           : "",
-                       !sure             ? ": not surely"
-                       : change.so_far() ? ", so far"
-                                         : "");
-  }
-
-  std::string counts() const {
-    if (plan_.file.goals.empty())
-      return fmt::format("{} measured, {} failed\n", all_.points.size(), measurer_.failed());
-    int standings[4] = {};
-    for (const Verdict& verdict : all_.verdicts) ++standings[verdict.standing];
-    return fmt::format("{} on the front, {} undecided, {} dominated, {} unwanted, {} failed\n",
-                       standings[Verdict::Front], standings[Verdict::Undecided],
-                       standings[Verdict::Dominated], standings[Verdict::Unwanted],
-                       measurer_.failed());
   }
 
   const SweepPlan& plan_;
