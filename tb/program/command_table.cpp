@@ -8,6 +8,7 @@
 #include "tb/program/command_explain.h"
 #include "tb/program/command_knobs.h"
 #include "tb/program/command_render.h"
+#include "tb/program/command_report.h"
 #include "tb/program/command_scene.h"
 #include "tb/program/command_sweep.h"
 #include "tb/program/command_trace.h"
@@ -22,7 +23,7 @@ const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
       render_row(),  view_row(),     explain_row(), trace_row(),  scene_row(),
       verify_row(),  verilate_row(), units_row(),   knobs_row(),  sweep_row(),
-      compare_row(), claims_row(),   bench_row(),   doctor_row(),
+      report_row(),  compare_row(), claims_row(),  bench_row(),  doctor_row(),
   };
   return table;
 }
