@@ -56,7 +56,9 @@ void HtmlTable::row(const std::vector<HtmlCell>& cells, const std::string& attri
   body_ += "<tr" + attributes + ">";
   for (const HtmlCell& cell : cells)
     body_ += fmt::format("<{0}{1}{2}>{3}</{4}>", cell.head ? "th scope=\"row\"" : "td",
-                         cell.number ? " class=\"number\"" : "",
+                         cell.number  ? " class=\"number\""
+                         : cell.words ? " class=\"words\""
+                                      : "",
                          cell.sorted_by.empty() ? "" : " data-by=\"" + html(cell.sorted_by) + "\"",
                          cell.content, cell.head ? "th" : "td");
   body_ += "</tr>\n";

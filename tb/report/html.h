@@ -21,6 +21,7 @@ struct HtmlCell {
   std::string sorted_by = "";  ///< a number, or a text; "": by its text
   bool number = false;         ///< to the right
   bool head = false;           ///< of its row
+  bool words = false;          ///< a text of any length
 };
 
 /// A table with a caption, in a box that scrolls if it is too wide.

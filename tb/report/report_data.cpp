@@ -27,7 +27,7 @@ Json number(double value) {
 
 std::string shell_word(const std::string& word) {
   const auto plain = [](unsigned char c) {
-    return std::isalnum(c) || std::string("._/=,+-").find(char(c)) != std::string::npos;
+    return std::isalnum(c) || std::string("._/=,+%-").find(char(c)) != std::string::npos;
   };
   if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
   std::string quoted = "'";

@@ -69,17 +69,18 @@ std::string header(const ReportedSweep& sweep) {
 std::string front_section(const ReportedSweep& sweep) {
   const std::string table = front_table(sweep);
   if (table.empty()) return section("front", "Front", absent("no point is measured yet"));
-  return section(
-      "front", sweep.plan.file.goals.empty() ? "Points" : "Front",
-      "<div class=\"beside\"><div>" +
-          chart("front-chart", "Points by two figures, with their intervals",
-                "<label>across <select id=\"front-x\"></select></label> "
-                "<label>up <select id=\"front-y\"></select></label>") +
-          "</div><aside id=\"look\" class=\"scripted\" aria-live=\"polite\" "
-          "aria-label=\"The point that was chosen\"><p>A point under the mouse shows its picture; "
-          "a click, or Enter on its row in the table of all points, puts it beside the "
-          "base.</p></aside></div>\n" +
-          table + scenes_table(sweep));
+  return section("front", sweep.plan.file.goals.empty() ? "Points" : "Front",
+                 "<div class=\"beside\"><div>" +
+                     chart("front-chart", "Points by two figures, with their intervals",
+                           "<label>across <select id=\"front-x\"></select></label> "
+                           "<label>up <select id=\"front-y\"></select></label>") +
+                     table +
+                     "</div><aside id=\"look\" class=\"scripted\" aria-live=\"polite\" "
+                     "aria-label=\"The point that was chosen\"></aside></div>\n" +
+                     "<p class=\"note scripted\">A point under the mouse shows its picture; a "
+                     "click on it, or on "
+                     "its name in the table of all points, puts it beside the base.</p>\n" +
+                     scenes_table(sweep));
 }
 
 std::string knobs_sections(const ReportedSweep& sweep, const ReportParts& parts) {
@@ -96,19 +97,20 @@ std::string knobs_sections(const ReportedSweep& sweep, const ReportParts& parts)
             "<button type=\"button\" id=\"all-points\">all points</button>") +
           "<p class=\"note scripted\">Drag along an axis: the charts and the table follow.</p>\n");
   const std::string table = effects_table(sweep, parts);
-  text +=
-      section("sensitivity", "What each knob does",
-              table.empty()
-                  ? absent("no two points differ in one knob alone")
-                  : chart("effects-chart", "The change by each step of a knob, with its interval",
-                          "<label>figure <select id=\"effects-figure\"></select></label>") +
-                        (has_steps(sweep)
-                             ? "<p class=\"note\">Pairs of points that differ in this knob "
-                               "alone, on the same frames; a bar's interval is that of 95 %.</p>\n"
-                             : "<p class=\"note\">Points that a search has chosen: means over "
-                               "points, whose other knobs differ too. A search that looks for a "
-                               "front does not spread them evenly.</p>\n") +
-                        table);
+  text += section(
+      "sensitivity", "What each knob does",
+      table.empty() ? absent("no two points differ in one knob alone")
+                    : chart("effects-chart", "The change by each step of a knob, with its interval",
+                            "<label>figure <select id=\"effects-figure\"></select></label>") +
+                          (has_steps(sweep)
+                               ? "<p class=\"note\">Pairs of points that differ in this knob "
+                                 "alone, on the same frames, with intervals of 95 %; left out are "
+                                 "pairs of which one stopped "
+                                 "earlier than others.</p>\n"
+                               : "<p class=\"note\">Points that a search has chosen: means over "
+                                 "points, whose other knobs differ too. A search that looks for a "
+                                 "front does not spread them evenly.</p>\n") +
+                          table);
   return text +
          section("heat", "Two knobs together",
                  sweep.knobs.size() < 2

@@ -49,6 +49,13 @@ void add_led(HtmlTable& table, const ReportedSweep& sweep) {
     table.column(figure->name, column_unit(*figure), figure->meaning, true);
 }
 
+/// "front", "dominated by p10 after 48 frames", "failed: died: Aborted, twice".
+std::string standing_text(const ReportedPoint& point) {
+  if (point.reason.empty() || point.reason.rfind(point.standing, 0) == 0)
+    return point.reason.empty() ? point.standing : point.reason;
+  return point.standing + ": " + point.reason;
+}
+
 /// What tells the point from the base; of the base nothing.
 std::string setting_text(const ReportedSweep& sweep, std::size_t point) {
   std::string text;
@@ -157,7 +164,7 @@ std::string front_table(const ReportedSweep& sweep) {
                                    number_cell(grouped(point.frames), point.frames)};
     for (const PointFigure* figure : sweep.led)
       cells.push_back(figure_cell(*figure, sweep.figure(point, figure->name)));
-    cells.push_back({html(setting_text(sweep, at))});
+    cells.push_back({html(setting_text(sweep, at)), "", false, false, true});
     table.row(cells);
   }
   return any ? table.text() + worst_note(sweep) : "";
@@ -302,7 +309,7 @@ std::string causes_table(const ReportedSweep& sweep, const ReportParts& parts) {
 }
 
 std::string points_table(const ReportedSweep& sweep, const ReportPictures& pictures) {
-  HtmlTable table("points-table", "All points");
+  HtmlTable table("points-table", "Each point, with the command that repeats it");
   table.column("point");
   table.column("stands");
   table.column("frames", "", "", true);
@@ -316,11 +323,9 @@ std::string points_table(const ReportedSweep& sweep, const ReportPictures& pictu
   table.column("again");
   for (std::size_t at = 0; at < sweep.points.size(); ++at) {
     const ReportedPoint& point = sweep.points[at];
-    std::vector<HtmlCell> cells = {
-        {html(point.name), "", false, true},
-        {point.standing +
-         (point.reason.empty() ? "" : "<br><small>" + html(point.reason) + "</small>")},
-        number_cell(grouped(point.frames), point.frames)};
+    std::vector<HtmlCell> cells = {{html(point.name), "", false, true},
+                                   {html(standing_text(point)), "", false, false, true},
+                                   number_cell(grouped(point.frames), point.frames)};
     for (const std::size_t knob : sweep.knobs)
       cells.push_back({html(sweep.built().knobs[knob].text(point.k.front()[knob])),
                        std::to_string(point.k.front()[knob])});

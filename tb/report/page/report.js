@@ -18,12 +18,12 @@
     ? ["#56b4e9", "#e69f00", "#00c08b", "#f0e442", "#ff8a4c", "#e29ac6", "#b0b8c0", "#8fa6ff"]
     : ["#0072b2", "#d98200", "#009e73", "#a08a00", "#d55e00", "#b8578f", "#6b7480", "#5a5fcf"];
   const Standings = [
-    ["base", "diamond", 4],
-    ["front", "circle", 0],
-    ["undecided", "triangle-up", 1],
-    ["measured", "circle", 2],
-    ["dominated", "square", 6],
-    ["unwanted", "cross", 5],
+    ["base", "diamond", 4, [1, 0]],
+    ["front", "circle", 0, [1, 0]],
+    ["undecided", "triangle-up", 1, [8, 3]],
+    ["measured", "circle", 2, [1, 0]],
+    ["dominated", "square", 6, [2, 3]],
+    ["unwanted", "cross", 5, [1, 5]],
   ];
   const standing_of = (at) => (at === 0 ? "base" : data.points.standing[at]);
 
@@ -46,7 +46,7 @@
     ? "-" : Number(number.toPrecision(5)).toLocaleString("en");
   const title_of = (name) => {
     const figure = figures.get(name);
-    return figure && figure.unit ? `${name} (${figure.unit})` : name;
+    return figure && figure.unit && figure.unit !== name ? `${name} (${figure.unit})` : name;
   };
   const half_of = (figure, at) => (figure.half && figure.half[at]) || 0;
 
@@ -99,7 +99,7 @@
   const handle_tip = (handler, event, item) => {
     const datum = item && item.datum && (item.datum.datum || item.datum);
     const lines = datum ? lines_of(datum) : [];
-    if (!event.type.match(/out|leave/) && lines.length) show_tip(event, lines, datum.point);
+    if (event && !event.type.match(/out|leave/) && lines.length) show_tip(event, lines, datum.point);
     else hide_tip();
   };
 
@@ -122,48 +122,54 @@
   }
   const tooltip = { value: "point" }; // any: the handler makes the words
 
-  const standing_scales = () => {
+  const standing_scales = (symbols) => {
+    const legend = { orient: "top", symbolOpacity: 1, ...symbols };
     const there = Standings.filter(([name]) => points.some((at) => standing_of(at) === name));
     return {
-      color: { field: "standing", title: "stands", scale: { domain: there.map((row) => row[0]),
+      color: { field: "standing", title: null, legend, scale: { domain: there.map((row) => row[0]),
         range: there.map((row) => colours()[row[2]]) } },
-      shape: { field: "standing", title: "stands", scale: { domain: there.map((row) => row[0]),
+      shape: { field: "standing", title: null, legend, scale: { domain: there.map((row) => row[0]),
         range: there.map((row) => row[1]) } },
+      dash: { field: "standing", title: null, legend, scale: { domain: there.map((row) => row[0]),
+        range: there.map((row) => row[3]) } },
     };
   };
 
+  const rank_of = (row) => Standings.findIndex(([name]) => name === row.standing);
   function front_rows() {
     const x = figures.get(by_id("front-x").value), y = figures.get(by_id("front-y").value);
     return points.filter((at) => x.value[at] !== null && y.value[at] !== null).map((at) => ({
       point: at, name: data.points.name[at], standing: standing_of(at), on: on[at],
-      names: [x.name, y.name], x: x.value[at], y: y.value[at],
+      front: data.points.standing[at] === "front", names: [x.name, y.name], x: x.value[at], y: y.value[at],
       left: x.value[at] - half_of(x, at), right: x.value[at] + half_of(x, at),
       low: y.value[at] - half_of(y, at), high: y.value[at] + half_of(y, at),
       // A point alone says its name; where there are many only the base does
       label: at === 0 || points.length <= 12 ? data.points.name[at] : "",
-    }));
+    })).sort((a, b) => rank_of(b) - rank_of(a)); // the base and the front above the others
   }
   function draw_front() {
     const x = by_id("front-x").value, y = by_id("front-y").value;
-    const axis = (name) => ({ type: "quantitative", title: title_of(name), scale: { zero: false, nice: true } });
+    const axis = (name) => ({ type: "quantitative", title: title_of(name),
+      scale: { zero: false, nice: false, padding: 14 }, axis: { tickCount: 8 } });
     const { color, shape } = standing_scales();
     const faded = (strong) => ({ condition: { test: "datum.on", value: strong }, value: 0.08 });
-    const goals = data.goals.includes(x) && data.goals.includes(y);
+    const goals = data.goals.includes(x) && data.goals.includes(y) &&
+      front_rows().some((row) => row.front);
     const whiskers = [
       ["left", "right", { x: { field: "left", ...axis(x) }, x2: { field: "right" }, y: { field: "y", ...axis(y) } }],
       ["low", "high", { y: { field: "low", ...axis(y) }, y2: { field: "high" }, x: { field: "x", ...axis(x) } }],
-    ].map(([from, to, encoding]) => ({
-      transform: [{ filter: `datum.${from} !== datum.${to}` }],
-      mark: { type: "rule", strokeWidth: 1.2, aria: false },
-      encoding: { ...encoding, color: { ...color, legend: null }, opacity: faded(0.45) },
-    }));
+    ].filter(([from, to]) => front_rows().some((row) => row[from] !== row[to]))
+      .map(([, , encoding]) => ({
+        mark: { type: "rule", strokeWidth: 1.2, aria: false },
+        encoding: { ...encoding, color, opacity: faded(0.45) },
+      }));
     return draw("front-chart", {
       height: 380,
       data: { name: "points", values: front_rows() },
       layer: [
         ...whiskers,
         ...(goals ? [{
-          transform: [{ filter: "datum.standing === 'front' || (datum.point === 0 && datum.base_front)" }],
+          transform: [{ filter: "datum.front" }],
           mark: { type: "line", strokeDash: [4, 3], strokeWidth: 1, color: css("--faint"), aria: false },
           encoding: { x: { field: "x", ...axis(x) }, y: { field: "y", ...axis(y) }, order: { field: "x" } },
         }] : []),
@@ -171,7 +177,7 @@
           encoding: { x: { field: "x", ...axis(x) }, y: { field: "y", ...axis(y) }, color, shape,
             opacity: faded(1), tooltip } },
         { transform: [{ filter: "datum.label !== ''" }],
-          mark: { type: "text", dy: -11, fontSize: 11, aria: false },
+          mark: { type: "text", dy: -11, fontSize: 11, limit: 140, aria: false },
           encoding: { x: { field: "x", ...axis(x) }, y: { field: "y", ...axis(y) },
             text: { field: "label" }, opacity: faded(1) } },
       ],
@@ -198,7 +204,7 @@
   }))).filter((row) => row.height !== null);
   async function draw_parallel() {
     if (!by_id("parallel-chart")) return;
-    const { color } = standing_scales();
+    const { color, dash } = standing_scales({ symbolType: "stroke", symbolSize: 500, symbolStrokeWidth: 2 });
     const ends = axes().flatMap((axis) => {
       const word = (value) => (axis.words ? axis.words[value] : shown(value));
       const all = axis.words ? axis.words.map((text, at) => [at, text])
@@ -216,18 +222,23 @@
       data: { name: "points", values: parallel_rows() },
       layer: [
         { mark: { type: "line", strokeWidth: few ? 1.8 : 1, aria: false },
-          encoding: { x, y, color, detail: { field: "point" }, strokeDash: { field: "standing", legend: null,
-            scale: { domain: ["base", "front", "undecided", "measured", "dominated", "unwanted"],
-              range: [[1, 0], [1, 0], [8, 3], [1, 0], [2, 3], [1, 5]] } },
+          encoding: { x, y, color, detail: { field: "point" }, strokeDash: dash,
             opacity: { condition: { test: "datum.on", value: few ? 0.8 : 0.4 }, value: 0.04 } } },
         { params: [{ name: "brush", select: { type: "interval" } }],
           mark: { type: "point", filled: true, size: 36 },
-          encoding: { x, y, color: { ...color, legend: null }, tooltip,
+          encoding: { x, y, color, tooltip,
             opacity: { condition: { test: "datum.on", value: 0.9 }, value: 0.04 } } },
-        { data: { values: ends }, mark: { type: "text", align: "left", dx: 7, fontSize: 11, aria: false },
-          encoding: { x, y, text: { field: "text" } } },
+        ...[{ stroke: css("--paper"), strokeWidth: 4 }, {}].map((halo) => ({
+          data: { values: ends },
+          mark: { type: "text", align: "left", dx: 7, fontSize: 11, aria: false, ...halo },
+          encoding: { x, y, text: { field: "text" } } })),
       ],
     });
+    // The brush is for the mouse; the words above the table do the same for all
+    for (const path of by_id("parallel-chart").querySelectorAll("path[class*=brush_brush]"))
+      path.setAttribute("aria-hidden", "true");
+    for (const group of by_id("parallel-chart").querySelectorAll("g[class*=brush_brush]"))
+      group.setAttribute("aria-hidden", "true");
     view.addSignalListener("brush", (name, value) => {
       const wanted = value.axis || [], heights = value.height || [];
       const chosen = axes().filter((axis) => wanted.includes(axis.name));
@@ -260,8 +271,9 @@
     const effect = data.effects.find((one) => one.figure === by_id("effects-figure").value);
     const figure = figures.get(effect.figure);
     const rows = effect.value.map((value, at) => ({
-      knob: effect.knob[at], step: effect.step[at], value, sure: Math.abs(value) > (effect.half[at] || 0),
-      low: value - (effect.half[at] || 0), high: value + (effect.half[at] || 0), number: at,
+      label: `${effect.knob[at]} ${effect.step[at]}`, value,
+      sure: Math.abs(value) > (effect.half[at] || 0) ? "surely" : "not surely",
+      low: value - (effect.half[at] || 0), high: value + (effect.half[at] || 0),
       lines: [`${effect.knob[at]}: ${effect.step[at]}`,
         `${data.steps ? "change" : "mean"} of ${title_of(effect.figure)}: ${shown(value)}` +
         (effect.half[at] ? ` +/- ${Number(effect.half[at].toPrecision(2))}` : ""),
@@ -270,27 +282,24 @@
     const unit = figure.unit.startsWith("%") && data.steps ? figure.unit.replace("%", "points") : figure.unit;
     const x = { type: "quantitative", title: `${data.steps ? "change of " : ""}${effect.figure} (${unit})`,
       scale: { zero: data.steps } };
-    const y = { field: "step", type: "nominal", sort: null, title: null };
+    const y = { field: "label", type: "nominal", sort: null, title: null };
+    const sure = { field: "sure", title: null, legend: { orient: "top" },
+      scale: { domain: ["surely", "not surely"], range: [colours()[0], css("--faint")] } };
+    const end = (field) => ({ mark: { type: "tick", thickness: 1.6, size: 9, color: css("--ink"), aria: false },
+      encoding: { x: { field, ...x }, y } });
     return draw("effects-chart", {
+      height: Math.max(70, 24 * rows.length),
       data: { values: rows },
-      autosize: { type: "pad" }, width: undefined,
-      facet: { row: { field: "knob", sort: null, title: null, header: { labelAngle: 0, labelAlign: "left",
-        labelColor: css("--ink"), labelFontSize: 12 } } },
-      resolve: { scale: { y: "independent" } },
-      spacing: 8,
-      spec: { width: Math.max(240, by_id("effects-chart").clientWidth - 380), height: { step: 22 },
-        layer: [
-        { mark: { type: data.steps ? "bar" : "point", height: { band: 0.6 }, filled: true, size: 60 },
+      layer: [
+        { mark: data.steps ? { type: "bar", height: { band: 0.62 } } : { type: "point", filled: true, size: 70 },
           encoding: { x: { field: "value", ...x }, y, tooltip,
-            color: { field: "sure", title: "sure", legend: data.steps ? undefined : null,
-              scale: { domain: [true, false], range: [colours()[0], css("--line")] } } } },
+            ...(data.steps ? { color: sure,
+              fillOpacity: { condition: { test: "datum.sure === 'surely'", value: 1 }, value: 0.45 } }
+              : { color: { value: colours()[0] } }) } },
         { mark: { type: "rule", strokeWidth: 1.6, color: css("--ink"), aria: false },
           encoding: { x: { field: "low", ...x }, x2: { field: "high" }, y } },
-        { mark: { type: "tick", thickness: 1.6, size: 9, color: css("--ink"), aria: false },
-          encoding: { x: { field: "low", ...x }, y } },
-        { mark: { type: "tick", thickness: 1.6, size: 9, color: css("--ink"), aria: false },
-          encoding: { x: { field: "high", ...x }, y } },
-      ] },
+        end("low"), end("high"),
+      ],
     });
   }
   function heat_rows() {
@@ -334,10 +343,12 @@
 
   // --- Cells, slack, causes: of a few points ---
   const focus_names = () => data.focus.map((at) => data.points.name[at]);
-  const many = (count) => Array.from({ length: count }, (unused, at) => {
-    const eight = colours(), again = Math.floor(at / eight.length);
-    return again === 0 ? eight[at] : vega.color ? eight[at % 8] : eight[at % 8];
-  });
+  // Beyond eight they come again, half as strong
+  const mixed = (colour, paper) => "#" + [1, 3, 5].map((at) => Math.round(
+    (parseInt(colour.slice(at, at + 2), 16) + parseInt(paper.slice(at, at + 2), 16)) / 2)
+    .toString(16).padStart(2, "0")).join("");
+  const many = (count) => Array.from({ length: count }, (unused, at) =>
+    at % 16 < 8 ? colours()[at % 8] : mixed(colours()[at % 8], css("--paper")));
   function stacked(id, rows, parts, title) {
     const height = Math.max(60, 34 * new Set(rows.map((row) => row.name)).size);
     return draw(id, {
@@ -350,7 +361,6 @@
         order: { field: "rank" },
         color: { field: "part", title: null, sort: parts, scale: { domain: parts, range: many(parts.length) },
           legend: { orient: "bottom", columns: 5 } },
-        strokeDash: undefined,
         tooltip,
       },
     });
@@ -375,13 +385,15 @@
   }
   function draw_slack() {
     const step = data.slack.step;
-    const rows = data.slack.points.flatMap((one) => one.percent.map((percent, bin) => ({
+    const bins = 2 + Math.max(...data.slack.points.map((one) => one.percent.findLastIndex((share) => share > 0.001)));
+    const rows = data.slack.points.flatMap((one) => one.percent.slice(0, bins).map((percent, bin) => ({
       name: data.points.name[one.point], clocks: bin * step, percent,
       lines: [data.points.name[one.point],
         `${bin * step} to ${(bin + 1) * step - 1} clocks: ${shown(percent)} % of the pixels`] })));
     const names = data.slack.points.map((one) => data.points.name[one.point]);
     const dashes = [[1, 0], [6, 3], [2, 2], [8, 2, 2, 2], [12, 4], [4, 4], [1, 3], [10, 3, 3, 3]];
-    const color = { field: "name", title: null, sort: names, scale: { domain: names, range: many(names.length) } };
+    const legend = { symbolType: "stroke", symbolSize: 500, symbolStrokeWidth: 2 };
+    const color = { field: "name", title: null, sort: names, legend, scale: { domain: names, range: many(names.length) } };
     return draw("slack-chart", {
       height: 260,
       data: { values: rows },
@@ -392,7 +404,7 @@
       },
       layer: [
         { mark: { type: "line", interpolate: "step-after", strokeWidth: 2, aria: false },
-          encoding: { strokeDash: { field: "name", title: null, sort: names,
+          encoding: { strokeDash: { field: "name", title: null, sort: names, legend,
             scale: { domain: names, range: dashes.slice(0, names.length) } } } },
         { mark: { type: "point", opacity: 0, size: 60 }, encoding: { tooltip } },
       ],
@@ -558,6 +570,7 @@
     pick();
   });
   say_picked();
+  if (by_id("look") && data.focus.length) choose(data.focus[data.focus.length - 1]);
   const drawn = () => draw_all().then(() => { document.documentElement.dataset.drawn = "yes"; });
   dark.addEventListener("change", drawn);
   drawn();
