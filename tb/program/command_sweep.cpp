@@ -11,6 +11,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
 #include "tb/program/common_options.h"
+#include "tb/sweep/block_worker.h"
 #include "tb/sweep/figures.h"
 #include "tb/sweep/starter_sweep.h"
 #include "tb/sweep/sweep_run.h"
@@ -24,6 +25,8 @@ struct Options {
   SweepOptions run;
   bool watch = false, json = false;
   int sample = 20;
+  int rung = 0, block = 0;
+  bool no_wait = false;
   std::string csv, frames_csv, json_file;
 };
 
@@ -44,7 +47,25 @@ int sweep_figures(const Options&) {
   return ExitGood;
 }
 
-int sweep_run(const Options& options) { return run_sweep(options.run); }
+int sweep_run(const Options& options) {
+  SweepOptions run = options.run;
+  run.wait = !options.no_wait;
+  if (run.on != "slurm" && (!run.slurm.empty() || options.no_wait))
+    throw UsageError("--slurm and --no-wait are for --on slurm");
+  if (run.on == "local" && run.tasks > 0)
+    throw UsageError("--tasks is for --on slurm or --on hand; here there are --jobs");
+  return run_sweep(run);
+}
+
+int sweep_work(const Options& options) {
+  return work_on_block(options.run.folder, options.rung, options.block);
+}
+
+std::string is_place(const std::string& word) {
+  return word == "local" || word == "slurm" || word == "hand"
+             ? ""
+             : "is local, slurm or hand, not " + word;
+}
 
 int sweep_status(const Options& options) {
   constexpr std::chrono::seconds Pause(1);
@@ -113,6 +134,32 @@ void add_run_options(const CommandOptions& run, Options& options) {
                "Say points, frames, time and disk; write nothing");
 }
 
+void add_cluster_options(const CommandOptions& run, Options& options) {
+  run.add_option("--on", options.run.on,
+                 "Where: local; slurm, as an array of tasks; hand, by workers that you start")
+      .type_name("PLACE")
+      .capture_default_str()
+      .check(is_place);
+  run.add_option("--slurm", options.run.slurm, "For sbatch, such as \"--partition=night\"")
+      .type_name("OPTIONS")
+      .check(not_empty);
+  add_number(run, "--tasks", options.run.tasks,
+             "Tasks of a rung there; default: as many as take 60 to 120 s each",
+             is_number_in("--tasks", 1, 1'000'000));
+  run.add_flag("--no-wait", options.no_wait, "Queue, and end; the same command collects");
+}
+
+void add_work_options(const CommandOptions& work, Options& options) {
+  add_folder(work, options);
+  constexpr int Most = 1'000'000;
+  add_number(work, "--rung", options.rung, "Of the plan: plan/N.json",
+             is_number_in("--rung", 1, Most))
+      .required();
+  add_number(work, "--block", options.block, "Of its blocks, from 0 on",
+             is_number_in("--block", 0, Most))
+      .required();
+}
+
 void add_export_options(const CommandOptions& command, Options& options) {
   add_folder(command, options);
   const auto file = [&](const char* name, std::string& to, const char* help) {
@@ -135,7 +182,12 @@ Command sweep_row() {
             };
             add_file(add("new", "Write a sweep to start from", sweep_new), *options, "FILE");
             add("figures", "List what is measured of a point, for goals", sweep_figures);
-            add_run_options(add("run", "Start, or go on: the same command", sweep_run), *options);
+            const CommandOptions run = add("run", "Start, or go on: the same command", sweep_run);
+            add_run_options(run, *options);
+            add_cluster_options(run, *options);
+            add_work_options(
+                add("work", "Measure a block that sweep run --on has planned", sweep_work),
+                *options);
             const CommandOptions status =
                 add("status", "How far it is, who works on it, what failed", sweep_status);
             add_folder(status, *options);

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// All knobs by row: a request is read by the program that wrote it.
+// All knobs by row: a request is read by the program that wrote it, or one of the same model.
 Json knobs_json(const knob_values& k) {
   if (k.rows().empty()) return nullptr;
   Json json = Json::array();
@@ -65,12 +65,8 @@ std::map<int, KeptPictures> kept_of(const Json& json, std::string_view bytes) {
   return kept;
 }
 
-}  // namespace
-
-// The size of the CBOR in the first line; after it the pictures.
-std::string request_text(const Block& block) {
-  std::string pictures;
-  const std::vector<std::uint8_t> bytes = Json::to_cbor({
+Json block_json(const Block& block) {
+  return {
       {"block", block.number},
       {"point", block.point},
       {"scene", block.scene},
@@ -84,17 +80,10 @@ std::string request_text(const Block& block) {
       {"pictures", block.pictures},
       {"scan", block.scan},
       {"reference", static_cast<int>(block.reference)},
-      {"kept", kept_json(block.kept, pictures)},
-  });
-  std::string text = std::to_string(bytes.size()) + "\n";
-  text.append(bytes.begin(), bytes.end());
-  return text += pictures;
+  };
 }
 
-Block block_of(const std::string& request) {
-  const std::size_t begin = request.find('\n') + 1, size = std::stoul(request);
-  const auto at = request.begin() + static_cast<std::ptrdiff_t>(begin);
-  const Json json = Json::from_cbor(at, at + static_cast<std::ptrdiff_t>(size));
+Block block_of_json(const Json& json) {
   Block block;
   block.number = json.at("block");
   block.point = json.at("point");
@@ -109,9 +98,34 @@ Block block_of(const std::string& request) {
   block.pictures = json.at("pictures");
   block.scan = json.at("scan");
   block.reference = static_cast<SweepReference>(json.at("reference").get<int>());
+  return block;
+}
+
+}  // namespace
+
+// The size of the CBOR in the first line; after it the pictures.
+std::string request_text(const Block& block) {
+  std::string pictures;
+  Json json = block_json(block);
+  json["kept"] = kept_json(block.kept, pictures);
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
+  std::string text = std::to_string(bytes.size()) + "\n";
+  text.append(bytes.begin(), bytes.end());
+  return text += pictures;
+}
+
+Block block_of(const std::string& request) {
+  const std::size_t begin = request.find('\n') + 1, size = std::stoul(request);
+  const auto at = request.begin() + static_cast<std::ptrdiff_t>(begin);
+  const Json json = Json::from_cbor(at, at + static_cast<std::ptrdiff_t>(size));
+  Block block = block_of_json(json);
   block.kept = kept_of(json.at("kept"), std::string_view(request).substr(begin + size));
   return block;
 }
+
+std::string plan_text_of(const Block& block) { return block_json(block).dump(); }
+
+Block block_of_plan(const std::string& text) { return block_of_json(Json::parse(text)); }
 
 std::string answer_line(const Answer& answer) {
   const MeasuredFrame& frame = answer.frame;

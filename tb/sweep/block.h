@@ -1,4 +1,5 @@
-// Block: what a worker does in one go, and what it answers; both cross a pipe as text.
+// Block: what a worker does in one go, and what it answers; both cross a pipe as text, or lie in
+// files.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -42,6 +43,10 @@ struct Block {
 std::string request_text(const Block& block);
 /// Throws std::exception of what is no request.
 Block block_of(const std::string& request);
+
+/// The same without pictures, as JSON: what a plan on disk says of a block.
+std::string plan_text_of(const Block& block);
+Block block_of_plan(const std::string& text);
 
 /// A frame as a worker answers it.
 struct Answer {

@@ -32,7 +32,8 @@ void insert(std::vector<int>& sorted, int frame) {
 }  // namespace
 
 Measurer::Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& store,
-                   std::int64_t model, ForkServer& server, int jobs, std::function<void()> look)
+                   std::int64_t model, ForkServer& server, int jobs, std::function<void()> look,
+                   BlockPlace* place)
     : plan_(plan),
       folder_(folder),
       store_(store),
@@ -40,6 +41,7 @@ Measurer::Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& stor
       server_(server),
       jobs_(jobs),
       look_(std::move(look)),
+      place_(place),
       kept_(plan.points.size() * plan.scenes.size()),
       failures_(plan.points.size()) {
   std::vector<StoredPoint> points;
@@ -138,7 +140,20 @@ bool Measurer::run(std::list<Block> blocks) {
   return BlockRunner(server_, jobs_, *this).run(std::move(blocks));
 }
 
+// The base at once with the others: to wait for it alone would be to queue twice.
+bool Measurer::measure_elsewhere(const std::vector<Want>& wants) {
+  std::list<Block> blocks;
+  for (const Want& want : wants) {
+    if (!failure(want.point).empty()) continue;
+    Want lacking = want;
+    lacking.frames = lacks(want);
+    add_block(blocks, lacking, 0, lacking.frames.size());
+  }
+  return place_->run(std::move(blocks), *this);
+}
+
 bool Measurer::measure(const std::vector<Want>& wants) {
+  if (place_) return measure_elsewhere(wants);
   for (const bool base : {true, false}) {
     std::vector<Want> all;
     std::size_t left = 0;  // frames that no block has
@@ -179,9 +194,10 @@ bool Measurer::scan(int scene) {
     if (!has(there, frame)) want.frames.push_back(frame);
   std::sort(want.frames.begin(), want.frames.end());
   std::list<Block> blocks;
-  add_blocks(blocks, want);
+  if (place_) add_block(blocks, want, 0, want.frames.size());
+  else add_blocks(blocks, want);
   for (Block& block : blocks) block.scan = true;
-  return run(std::move(blocks));
+  return place_ ? place_->run(std::move(blocks), *this) : run(std::move(blocks));
 }
 
 std::map<int, std::string> Measurer::pictures(const Want& want) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/sweep/block_place.h"
 #include "tb/sweep/block_runner.h"
 #include "tb/sweep/store.h"
 #include "tb/sweep/sweep_folder.h"
@@ -28,8 +29,9 @@ struct Want {
 class Measurer : private BlockRunner::Owner {
  public:
   /// All of it outlives this. `look` is called ten times a second at least while workers run.
+  /// With another place, that is where points are measured.
   Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& store, std::int64_t model,
-           ForkServer& server, int jobs, std::function<void()> look);
+           ForkServer& server, int jobs, std::function<void()> look, BlockPlace* place = nullptr);
 
   /// Frames of these that are not there.
   int missing(const std::vector<Want>& wants) const;
@@ -65,6 +67,7 @@ class Measurer : private BlockRunner::Owner {
   std::size_t add_block(std::list<Block>& blocks, const Want& want, std::size_t begin,
                         std::size_t size);
   void add_blocks(std::list<Block>& blocks, const Want& want);
+  bool measure_elsewhere(const std::vector<Want>& wants);
   bool run(std::list<Block> blocks);
   struct PictureKeys;
   PictureKeys picture_keys(const Block& block) const;
@@ -82,6 +85,7 @@ class Measurer : private BlockRunner::Owner {
   ForkServer& server_;
   const int jobs_;
   const std::function<void()> look_;
+  BlockPlace* const place_;
   std::vector<std::int64_t> scenes_, points_;  // ids; points by scene
   std::vector<Kept> kept_;
   std::vector<std::string> failures_;

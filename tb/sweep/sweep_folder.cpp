@@ -31,9 +31,19 @@ namespace fs = std::filesystem;
 namespace {
 
 // What a run that was killed early may leave without a store.
-constexpr const char* Own[] = {
-    "sweep.toml", "sweep.sqlite", "sweep.sqlite-wal", "sweep.sqlite-shm", "sweep.sqlite-journal",
-    "lock",       "status.json",  "figures.csv",      "pictures",         "failed"};
+constexpr const char* Own[] = {"sweep.toml",
+                               "sweep.sqlite",
+                               "sweep.sqlite-wal",
+                               "sweep.sqlite-shm",
+                               "sweep.sqlite-journal",
+                               "lock",
+                               "status.json",
+                               "figures.csv",
+                               "pictures",
+                               "failed",
+                               "plan",
+                               "results",
+                               "log"};
 constexpr std::size_t LongestName = 100;
 
 /// Who has the lock, as the lock's file says: "8f3a01c2-4711 1795349000".

@@ -7,6 +7,8 @@
 //   figures.csv      all figures of all points, once it is done
 //   pictures/        of points
 //   failed/          what points said that could not be measured
+//   plan/            what a cluster is to do (rung_plan.h), results/ what its workers answered
+//                    (block_results.h), log/ what they said
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -35,6 +35,11 @@ void SweepProgress::end(const Measurer& measurer, int rung, bool whole) {
   write(measurer, rung, whole ? "done" : "interrupted");
 }
 
+void SweepProgress::leave(const Measurer& measurer, int rung) {
+  bar_.clear();
+  write(measurer, rung, "submitted");
+}
+
 void SweepProgress::write(const Measurer& measurer, int rung, const char* state) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   const double rate = seconds > 0 ? double(measurer.measured()) / seconds : 0;

@@ -19,6 +19,8 @@ class SweepProgress {
   /// Draws a bar, and once a second writes status.json. `rung`: frames of a point.
   void look(const Measurer& measurer, int rung);
   void end(const Measurer& measurer, int rung, bool whole);
+  /// It goes on elsewhere.
+  void leave(const Measurer& measurer, int rung);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
+#include "tb/sweep/cluster.h"
 #include "tb/sweep/columns.h"
 #include "tb/sweep/figure_file.h"
 #include "tb/sweep/guard_frames.h"
@@ -70,8 +72,10 @@ class Sweep {
         model_(model),
         reused_(reuse_results(store_, model_, plan, options.reuse)),
         progress_(plan, folder),
-        measurer_(plan, folder, store, model, server, options.jobs,
-                  [this] { progress_.look(measurer_, rung_); }),
+        cluster_(cluster(options, plan, folder, store, server)),
+        measurer_(
+            plan, folder, store, model, server, options.jobs,
+            [this] { progress_.look(measurer_, rung_); }, cluster_.get()),
         state_(plan, store, measurer_),
         silicon_(plan, &store, options.fresh),
         timing_(plan, store, options.fresh) {}
@@ -87,12 +91,15 @@ class Sweep {
     const std::int64_t id = store_.runs.begin(this_run(options_.command, options_.jobs));
     const bool whole = measure();
     store_.runs.end(id, cpu_seconds());
-    progress_.end(measurer_, rung_, whole);
+    const bool left = !whole && cluster_ && cluster_->left();
+    if (left) progress_.leave(measurer_, rung_);
+    else progress_.end(measurer_, rung_, whole);
     if (!measurer_.failure(0).empty()) {
       tell("the base point cannot be measured, and nothing compared with it: " +
            measurer_.failure(0));
       return ExitDifference;
     }
+    if (left) return ExitGood;
     if (!whole) {
       tell(fmt::format("interrupted; {} frames are kept; the same command goes on",
                        grouped(store_.frames.count(model_))));
@@ -109,6 +116,15 @@ class Sweep {
   }
 
  private:
+  static std::unique_ptr<Cluster> cluster(const SweepOptions& options, const SweepPlan& plan,
+                                          const SweepFolder& folder, Store& store,
+                                          ForkServer& server) {
+    if (options.on == "local") return {};
+    return std::make_unique<Cluster>(
+        ClusterOptions{options.on == "slurm", options.slurm, options.tasks, options.wait}, plan,
+        folder, store, server);
+  }
+
   static void tell_lines(const std::string& text) {
     for (const std::string& line : lines_of(text)) tell(line);
   }
@@ -215,6 +231,7 @@ class Sweep {
   const std::int64_t model_, reused_;
   int rung_ = 0;
   SweepProgress progress_;
+  const std::unique_ptr<Cluster> cluster_;
   Measurer measurer_;
   SweepState state_;
   SweepSilicon silicon_;
@@ -224,7 +241,8 @@ class Sweep {
 }  // namespace
 
 int run_sweep(const SweepOptions& options) {
-  ForkServer server(work_on);  // while this process is small
+  if (options.on == "slurm") Slurm();  // before anything is written
+  ForkServer server(work_on);          // while this process is small
   const SweepPlan plan = plan_sweep(options.file, options.assignments);
   if (options.dry_run) {
     print(dry_run_text(plan, options.folder, server, options.jobs));
