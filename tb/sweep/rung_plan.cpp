@@ -25,7 +25,7 @@ constexpr const char* Schema = "racebeam-sweep-plan";
 
 // A worker takes some 10 ms to begin a block of work, and keeps what it has when that is done.
 constexpr std::size_t FewFrames = 64, MostFrames = 256;
-constexpr double MostSeconds = 10;
+constexpr double MostSeconds = 5;
 
 using Works = std::vector<const PlannedWork*>;
 

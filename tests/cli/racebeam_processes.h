@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/cli/program.h"
 
@@ -16,18 +17,24 @@ namespace racebeam {
 
 class MarkedProcesses {
  public:
+  explicit MarkedProcesses(const std::string& mark = next()) : mark_(mark) {}
+
   /// For Program::Setting::environment.
   std::string mark() const { return mark_; }
   /// Those that live now; `of_program`: what the program itself has forked to do its work, neither
   /// what it has started nor who keeps that.
   int count(bool of_program = false) const {
-    int found = 0;
+    return static_cast<int>(of_program ? with("comm", "racebeam\n").size() : with("", "").size());
+  }
+  /// The same, whose file in /proc has this text; no file: all.
+  std::vector<int> with(const std::string& file, const std::string& text) const {
+    std::vector<int> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       const std::string name = entry.path().filename();
       if (name.find_first_not_of("0123456789") != std::string::npos) continue;
       if (read_file(entry.path() / "environ").find(mark_) == std::string::npos) continue;
-      if (of_program && read_file(entry.path() / "comm") != "racebeam\n") continue;
-      ++found;
+      if (!file.empty() && read_file(entry.path() / file).find(text) == std::string::npos) continue;
+      found.push_back(std::stoi(name));
     }
     return found;
   }
@@ -51,7 +58,7 @@ class MarkedProcesses {
     static int serial = 0;
     return "RACEBEAM_TEST_MARK=" + std::to_string(getpid()) + "_" + std::to_string(++serial) + "_";
   }
-  const std::string mark_ = next();
+  const std::string mark_;
 };
 
 }  // namespace racebeam
