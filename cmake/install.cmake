@@ -13,9 +13,11 @@ install(
   EXPORT racebeam-program
   COMPONENT program)
 set(LIBRARIES racebeam_images)
-if(TARGET racebeam_window)
-  list(APPEND LIBRARIES racebeam_window)
-endif()
+foreach(optional racebeam_window racebeam_search)
+  if(TARGET ${optional})
+    list(APPEND LIBRARIES ${optional})
+  endif()
+endforeach()
 install(
   TARGETS ${LIBRARIES}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/racebeam

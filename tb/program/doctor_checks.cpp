@@ -29,6 +29,7 @@
 #include "tb/picture/gif_writer.h"
 #include "tb/picture/image_library.h"
 #include "tb/picture/png_file.h"
+#include "tb/sweep/nsga2_library.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/view/window_library.h"
 
@@ -100,7 +101,8 @@ std::vector<Fact> versions() {
           {"OpenImageIO", version_of([] { return image_library().version; })},
           {"zlib", zlibVersion()},
           {"libsndfile", sndfile},
-          {"SDL2", version_of([] { return window_library().version(); })}};
+          {"SDL2", version_of([] { return window_library().version(); })},
+          {"pagmo", version_of([] { return nsga2_library().version(); })}};
 }
 
 std::vector<Fact> machine() {

@@ -41,21 +41,27 @@ Measurer::Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& stor
       server_(server),
       jobs_(jobs),
       look_(std::move(look)),
-      place_(place),
-      kept_(plan.points.size() * plan.scenes.size()),
-      failures_(plan.points.size()) {
+      place_(place) {
+  for (const SweepScene& scene : plan.scenes)
+    scenes_.push_back(store.scene({scene.name, scene.show.hash(), scene.show.frames()}));
+  take_in_points();
+}
+
+void Measurer::take_in_points() {
+  const std::size_t before = failures_.size();
+  kept_.resize(plan_.points.size() * plan_.scenes.size());
+  failures_.resize(plan_.points.size());
   std::vector<StoredPoint> points;
-  for (const PlannedPoint& point : plan.points)
+  for (const PlannedPoint& point : plan_.points)
     for (const std::string& setting : point.settings) points.push_back({setting, point.point.name});
-  points_ = store.points(points);
-  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-    const Show& show = plan.scenes[scene].show;
-    scenes_.push_back(store.scene({plan.scenes[scene].name, show.hash(), show.frames()}));
-    const auto there = store.frames.there(model, scenes_.back());
-    const auto causes = plan.file.measure.causes ? store.frames.with_causes(model, scenes_.back())
-                                                 : decltype(store.frames.with_causes(0, 0)){};
-    for (std::size_t point = 0; point < plan.points.size(); ++point) {
-      const std::size_t at = point * plan.scenes.size() + scene;
+  points_ = store_.points(points);
+  for (std::size_t scene = 0; scene < plan_.scenes.size(); ++scene) {
+    const auto there = store_.frames.there(model_, scenes_[scene]);
+    const auto causes = plan_.file.measure.causes
+                            ? store_.frames.with_causes(model_, scenes_[scene])
+                            : decltype(store_.frames.with_causes(0, 0)){};
+    for (std::size_t point = before; point < plan_.points.size(); ++point) {
+      const std::size_t at = point * plan_.scenes.size() + scene;
       const auto frames = there.find(points_[at]);
       if (frames == there.end()) continue;
       for (const KeptFrame& frame : frames->second)

@@ -33,6 +33,8 @@ class Measurer : private BlockRunner::Owner {
   Measurer(const SweepPlan& plan, const SweepFolder& folder, Store& store, std::int64_t model,
            ForkServer& server, int jobs, std::function<void()> look, BlockPlace* place = nullptr);
 
+  /// The plan has got more points.
+  void take_in_points();
   /// Frames of these that are not there.
   int missing(const std::vector<Want>& wants) const;
   /// Brings them, those of the base first. False: it was interrupted. Throws NotDeterministic,

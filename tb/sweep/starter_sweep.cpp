@@ -31,7 +31,8 @@ knobs = { interval_stack_depth = 64, fifo_entries = 64 }
 knobs = {}
 
 [search]
-method = "grid"              # or "one-by-one", or "sobol" with points = 64 for many knobs
+method = "grid"              # or "one-by-one", or "sobol" with points = 64 for many knobs, or
+                             # "nsga2" with population = 32 and generations = 12 for their front
 seed = 1
 
 [goals]                      # "min", "max", or limits; beyond them a point is not wanted

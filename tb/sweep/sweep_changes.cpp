@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* Scenes = "scenes";  // hashes, one a line
 
+std::string population_note(const std::string& scene) { return "frames to take of " + scene; }
+
 // Without the knobs that a scene sets: they are no change of the sweep.
 std::string own_setting(const std::string& setting) {
   std::string own;
@@ -35,6 +37,16 @@ void keep_scenes(Store& store, const SweepPlan& plan) {
   std::string hashes;
   for (const SweepScene& scene : plan.scenes) hashes += scene.show.hash() + "\n";
   if (hashes != store.notes.find(Scenes)) store.notes.put(Scenes, hashes);
+  for (const SweepScene& scene : plan.scenes) {
+    const std::string note = population_note(scene.show.hash()),
+                      count = std::to_string(scene.order.size());
+    if (count != store.notes.find(note)) store.notes.put(note, count);
+  }
+}
+
+int population_of(const Store& store, const StoredScene& scene) {
+  const std::string count = store.notes.find(population_note(scene.hash));
+  return count.empty() ? static_cast<int>(scene.frames) : std::stoi(count);
 }
 
 std::vector<OlderScene> older_scenes(Store& store, std::int64_t model) {
@@ -84,7 +96,7 @@ std::string FormerPoints::change_to(const SweepPlan& plan) const {
       now.insert(own);
       is_new = is_new && before.count(own) == 0;
     }
-    more += is_new;
+    more += is_new && !plan.file.search.adapts();
   }
   for (const StoredPoint& point : points_)
     if (now.count(own_setting(point.setting)) == 0) gone.insert(point.name);

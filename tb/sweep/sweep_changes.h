@@ -23,6 +23,8 @@ struct OlderScene {
 
 /// Which scenes the last run had; of others with the same name the file has changed since.
 void keep_scenes(Store& store, const SweepPlan& plan);
+/// Frames of a scene that may be taken, as the last run with it has said.
+int population_of(const Store& store, const StoredScene& scene);
 std::vector<OlderScene> older_scenes(Store& store, std::int64_t model);
 /// "the scene house.toml has changed: 4,800 older results are of the other one", a line for each.
 std::string scenes_text(const std::vector<OlderScene>& scenes);
@@ -32,7 +34,7 @@ class FormerPoints {
  public:
   explicit FormerPoints(Store& store);
   /// "the sweep has changed: 2 points more, 1 point less, whose results are kept"; "": it has not,
-  /// or has not been run.
+  /// or has not been run. Points that a search asks for are not told.
   std::string change_to(const SweepPlan& plan) const;
 
  private:

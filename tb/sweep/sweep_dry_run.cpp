@@ -101,7 +101,7 @@ std::string dry_run_text(const SweepPlan& plan, const std::string& folder, ForkS
 
   double frames = 0, first = 0;
   for (std::size_t at = 0; at < plan.scenes.size(); ++at) {
-    frames += double(plan.points.size()) * plan.sample(at);
+    frames += double(plan.points_at_most()) * plan.sample(at);
     first += plan.sample(at);
   }
   const int there = std::filesystem::exists(folder) ? frames_there(plan, folder) : 0;

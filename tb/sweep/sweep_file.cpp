@@ -17,7 +17,7 @@ bool SweepFrames::skips(const std::string& part) const {
 }
 
 const std::vector<std::string>& method_words() {
-  static const std::vector<std::string> words = {"grid", "one-by-one", "sobol"};
+  static const std::vector<std::string> words = {"grid", "one-by-one", "sobol", "nsga2"};
   return words;
 }
 

@@ -36,13 +36,21 @@ struct SweepFrames {
   bool skips(const std::string& part) const;
 };
 
-enum class SearchMethod { Grid, OneByOne, Sobol };
+enum class SearchMethod { Grid, OneByOne, Sobol, Nsga2 };
 
 struct SweepSearch {
   SearchMethod method = SearchMethod::Grid;
   int points = 64;         ///< that Sobol's sequence brings
-  std::uint32_t seed = 1;  ///< of the sequence, and of the order of frames
+  int population = 32;     ///< points of a generation of NSGA-II, the first one is Sobol's
+  int generations = 12;    ///< of NSGA-II, beside the first one
+  std::uint32_t seed = 1;  ///< of the search, and of the order of frames
   bool race = true;        ///< points that are surely dominated stop early
+
+  /// It looks at goals to choose points: all must have the same frames.
+  bool adapts() const { return method == SearchMethod::Nsga2; }
+  bool races() const { return race && !adapts(); }
+  /// Points that Sobol's sequence brings.
+  int of_sobol() const { return adapts() ? population : points; }
 };
 
 using SweepReference = PictureReference;
@@ -61,6 +69,7 @@ struct SweepMeasure {
 
 struct SweepFile {
   static constexpr int MostPoints = 100'000;
+  static constexpr int SmallestPopulation = 8;
 
   std::string name;
   std::vector<std::string> scenes{"demo"};  ///< as on the command line

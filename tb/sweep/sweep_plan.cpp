@@ -59,32 +59,43 @@ std::string setting(const knob_values& k, const SweepFile& file, const knob_valu
   return text;
 }
 
+std::vector<knob_values> standards_of(const SweepPlan& plan) {
+  std::vector<knob_values> standards;
+  for (const SweepScene& scene : plan.scenes) standards.push_back(scene.show.standard_knobs());
+  return standards;
+}
+
+PlannedPoint planned(const SweepPlan& plan, const SweepPoint& point, const SweepPoint& base) {
+  PlannedPoint planned{point, {}, {}};
+  for (const SweepScene& scene : plan.scenes) {
+    const knob_values standard = scene.show.standard_knobs();
+    const knob_values k = knobs_on(point, standard);
+    if (const std::string why = scene.show.objection(k); !why.empty() && planned.objection.empty())
+      planned.objection = fmt::format("{} on {}: {}", point.name, scene.name, why);
+    planned.k.push_back(k);
+    planned.settings.push_back(setting(k, plan.file, knobs_on(base, standard)));
+  }
+  return planned;
+}
+
 SweepPlan plan(SweepResult read) {
   SweepPlan plan{std::move(read.file), std::move(read.text), {}, {}};
-  std::vector<knob_values> standards;
-  for (const std::string& name : plan.file.scenes) {
+  for (const std::string& name : plan.file.scenes)
     plan.scenes.push_back(open_scene(name, plan.file, plan.left_out));
-    standards.push_back(plan.scenes.back().show.standard_knobs());
-  }
-  const SweepPoints points = sweep_points(plan.file, standards);
-  std::vector<std::string> objections;
+  const SweepPoints points = sweep_points(plan.file, standards_of(plan));
+  std::size_t objections = 0;
   for (const SweepPoint& point : points.points) {
-    PlannedPoint planned{point, {}, {}};
-    for (std::size_t scene = 0; scene < standards.size(); ++scene) {
-      const knob_values k = knobs_on(point, standards[scene]);
-      if (const std::string why = plan.scenes[scene].show.objection(k); !why.empty())
-        objections.push_back(fmt::format("{} on {}: {}", point.name, plan.scenes[scene].name, why));
-      planned.k.push_back(k);
-      planned.settings.push_back(
-          setting(k, plan.file, knobs_on(points.points.front(), standards[scene])));
-    }
-    plan.points.push_back(std::move(planned));
+    plan.points.push_back(planned(plan, point, points.points.front()));
+    if (plan.points.back().objection.empty()) continue;
+    tell(plan.points.back().objection);
+    ++objections;
   }
-  for (const std::string& objection : objections) tell(objection);
-  if (!objections.empty())
-    throw UsageError(counted(objections.size(), "point") +
+  if (objections > 0)
+    throw UsageError(counted(objections, "point") +
                      " cannot be run on a scene; leave them out with knobs.where");
   for (const auto& [name, same] : points.same) tell(name + " is " + same + " by another name");
+  if (plan.file.search.adapts())
+    for (const auto& [indices, point] : points.asked) plan.first.push_back(indices);
   return plan;
 }
 
@@ -99,6 +110,23 @@ int SweepPlan::population() const {
   int frames = 0;
   for (const SweepScene& scene : scenes) frames += static_cast<int>(scene.order.size());
   return frames;
+}
+
+int SweepPlan::points_at_most() const {
+  const SweepSearch& search = file.search;
+  if (!search.adapts()) return static_cast<int>(points.size());
+  return 1 + static_cast<int>(file.points.size()) + search.population * (search.generations + 1);
+}
+
+std::vector<int> SweepPlan::add(const std::vector<ValueIndices>& generation) {
+  added.insert(added.end(), generation.begin(), generation.end());
+  const SweepPoints all = sweep_points(file, standards_of(*this), added);
+  for (std::size_t point = points.size(); point < all.points.size(); ++point)
+    points.push_back(planned(*this, all.points[point], all.points.front()));
+  std::vector<int> asked;
+  for (std::size_t i = all.asked.size() - generation.size(); i < all.asked.size(); ++i)
+    asked.push_back(all.asked[i].second);
+  return asked;
 }
 
 std::string SweepPlan::key() const {

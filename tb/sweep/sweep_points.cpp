@@ -22,11 +22,16 @@ class PointMaker {
     for (const SweepPoint& point : file.points) add(point);
   }
 
-  SweepPoints make() {
+  SweepPoints make(const std::vector<ValueIndices>& more) {
     switch (file_.search.method) {
       case SearchMethod::Grid: ask_grid(); break;
       case SearchMethod::OneByOne: ask_one_by_one(); break;
-      case SearchMethod::Sobol: ask_sobol(); break;
+      case SearchMethod::Sobol:
+      case SearchMethod::Nsga2: ask_sobol(); break;
+    }
+    for (const ValueIndices& indices : more) {
+      ask(at(indices));
+      made_.asked.emplace_back(indices, answer_);
     }
     return std::move(made_);
   }
@@ -34,6 +39,7 @@ class PointMaker {
  private:
   struct Known {
     std::string name;
+    int place = 0;  // among the points
     bool asked = false;
   };
 
@@ -52,8 +58,10 @@ class PointMaker {
     made_.points.push_back(std::move(point));
   }
 
+  int count() const { return static_cast<int>(made_.points.size()); }
+
   void add(const SweepPoint& point) {
-    const auto [at, is_new] = known_.emplace(key_of(point), Known{point.name});
+    const auto [at, is_new] = known_.emplace(key_of(point), Known{point.name, count()});
     if (is_new) keep(point);
     else made_.same.emplace_back(point.name, at->second.name);
   }
@@ -62,9 +70,11 @@ class PointMaker {
   bool ask(SweepPoint point) {
     if (where_ && !where_->holds(point.k)) {
       ++made_.refused;
+      answer_ = -1;
       return false;
     }
-    const auto [at, is_new] = known_.emplace(key_of(point), Known{});
+    const auto [at, is_new] = known_.emplace(key_of(point), Known{"", count()});
+    answer_ = at->second.place;
     if (at->second.asked) {
       ++made_.again;
       return false;
@@ -78,7 +88,7 @@ class PointMaker {
   }
 
   // The base with the value of this index of each knob.
-  SweepPoint at(const std::vector<std::size_t>& indices) const {
+  SweepPoint at(const ValueIndices& indices) const {
     SweepPoint point = file_.base;
     for (std::size_t i = 0; i < indices.size(); ++i)
       point.set_knob(*file_.knobs[i].row, file_.knobs[i].values[indices[i]]);
@@ -86,7 +96,7 @@ class PointMaker {
   }
 
   void ask_grid() {
-    std::vector<std::size_t> indices(file_.knobs.size());
+    ValueIndices indices(file_.knobs.size());
     for (;;) {
       ask(at(indices));
       std::size_t knob = indices.size();
@@ -113,16 +123,20 @@ class PointMaker {
   void ask_sobol() {
     constexpr int Patience = 10'000;
     const std::size_t count = file_.knobs.size();
+    const int wanted = file_.search.of_sobol();
     if (count == 0) return;
     boost::random::sobol sequence(count);
     std::mt19937_64 shift(file_.search.seed);
     std::vector<std::uint64_t> shifts(count), vector(count);  // the sequence begins at 0, ...
     for (std::uint64_t& one : shifts) one = shift();
-    std::vector<std::size_t> indices(count);
-    for (int without = 0; without < Patience && made_.of_search < file_.search.points; ++without) {
+    ValueIndices indices(count);
+    for (int without = 0; without < Patience && made_.of_search < wanted; ++without) {
       for (std::size_t i = 0; i < count; ++i)
         indices[i] = ((vector[i] ^ shifts[i]) >> 32) * file_.knobs[i].values.size() >> 32;
-      if (ask(at(indices))) without = 0;
+      if (ask(at(indices))) {
+        without = 0;
+        made_.asked.emplace_back(indices, answer_);
+      }
       for (std::uint64_t& one : vector) one = sequence();  // ... which boost leaves out
     }
   }
@@ -131,6 +145,7 @@ class PointMaker {
   const std::vector<knob_values>& standards_;
   std::optional<KnobCondition> where_;
   std::map<std::vector<int>, Known> known_;
+  int answer_ = -1;  // where the point asked for last stands
   SweepPoints made_{};
 };
 
@@ -142,8 +157,9 @@ double grid_points(const SweepFile& file) {
   return count;
 }
 
-SweepPoints sweep_points(const SweepFile& file, const std::vector<knob_values>& standards) {
-  return PointMaker(file, standards).make();
+SweepPoints sweep_points(const SweepFile& file, const std::vector<knob_values>& standards,
+                         const std::vector<ValueIndices>& more) {
+  return PointMaker(file, standards).make(more);
 }
 
 SweepPoints sweep_points(const SweepFile& file) {

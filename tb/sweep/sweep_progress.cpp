@@ -14,7 +14,7 @@ namespace {
 std::int64_t frames_at_most(const SweepPlan& plan) {
   std::int64_t frames = 0;
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene)
-    frames += std::int64_t(plan.points.size()) * plan.sample(scene);
+    frames += std::int64_t(plan.points_at_most()) * plan.sample(scene);
   return frames;
 }
 

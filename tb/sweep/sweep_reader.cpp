@@ -77,18 +77,46 @@ void check_measure(const TableReader& table, const SweepNames& names, const engi
            "leave it out: they are compared with its golden tracer");
 }
 
+void check_population(const TableReader& table, const SweepSearch& search, Faults& faults) {
+  const auto place = [&](const char* key) {
+    const TomlNode* const node = table.find(key);
+    return (node ? node : table.find("method"))->place;
+  };
+  if (search.population % 4 != 0)
+    faults.add(place("population"), fmt::format("'population' is {}", search.population),
+               "nsga2 pairs its points by fours: write a multiple of 4");
+  if (std::int64_t{search.population} * (search.generations + 1) > SweepFile::MostPoints)
+    faults.add(place("generations"),
+               fmt::format("'generations' is {} and 'population' is {}", search.generations,
+                           search.population),
+               fmt::format("with the first generation they may ask for {} points together",
+                           int{SweepFile::MostPoints}));
+  if (const TomlNode* race = table.find("race"); race && search.race)
+    faults.warn(race->place, "'race' has no effect with nsga2",
+                "all points of a search have the same frames");
+}
+
 void read_search(const TomlNode& node, SweepSearch& search, Faults& faults) {
   const TableReader table(node, "search", faults, sweep_keys());
   int number = 0;
   if (table.read_choice("method", method_words(), number))
     search.method = static_cast<SearchMethod>(number);
   table.read("points", 1, SweepFile::MostPoints, search.points);
+  table.read("population", SweepFile::SmallestPopulation, SweepFile::MostPoints, search.population);
+  table.read("generations", 1, SweepFile::MostPoints, search.generations);
   if (table.read("seed", 0, std::numeric_limits<int>::max(), number))
     search.seed = static_cast<std::uint32_t>(number);
   table.read("race", search.race);
   if (const TomlNode* points = table.find("points"); points && search.method != SearchMethod::Sobol)
     faults.warn(points->place, "'points' counts for sobol only",
-                "the other methods take the points that the knobs make");
+                search.adapts() ? "'population' and 'generations' say how many nsga2 looks at"
+                                : "the other methods take the points that the knobs make");
+  if (search.adapts()) check_population(table, search, faults);
+  else
+    for (const char* key : {"population", "generations"})
+      if (const TomlNode* node = table.find(key))
+        faults.warn(node->place, fmt::format("'{}' counts for nsga2 only", key),
+                    "the other methods have one generation");
 }
 
 void read_pictures(const TomlNode& node, SweepMeasure& measure, Faults& faults) {
@@ -130,8 +158,33 @@ std::vector<SweepFigure> figures_of(const SweepNames& names, const engine& built
   return figures;
 }
 
+// Goals that nsga2 trades against each other.
+void check_goals(const SweepFile& file, const TomlNode* search, Faults& faults) {
+  const auto traded = std::count_if(file.goals.begin(), file.goals.end(),
+                                    [](const Goal& goal) { return goal.kind != GoalKind::Limit; });
+  if (file.search.adapts() && traded < 2)
+    faults.add(search->find("method")->place, "nsga2 has " + counted(traded, "goal"),
+               "it looks for the front of two or more: [goals] picture_error = \"min\", "
+               "decisions = \"min\"");
+}
+
+void check_first_generation(const SweepFile& file, const TomlNode& search, Faults& faults) {
+  const int wanted = file.search.population;
+  const bool few = grid_points(file) < wanted;
+  const int first = few ? static_cast<int>(grid_points(file)) : sweep_points(file).of_search;
+  if (first < wanted)
+    faults.add(
+        file.knobs.empty() ? search.find("method")->place
+        : few              ? file.knobs_place
+                           : file.where_place,
+        fmt::format("{} {}, and a generation has {}", few ? "the knobs make" : "'where' leaves",
+                    counted(first, "point"), wanted),
+        "method = \"grid\" measures all of them; or name more values, or a smaller "
+        "'population'");
+}
+
 // Of a file without faults.
-void check_points(const SweepFile& file, Faults& faults) {
+void check_points(const SweepFile& file, const TomlNode* search, Faults& faults) {
   const double grid = grid_points(file);
   if (file.search.method == SearchMethod::Grid && grid > SweepFile::MostPoints) {
     faults.add(
@@ -139,6 +192,10 @@ void check_points(const SweepFile& file, Faults& faults) {
         fmt::format("it may have {}; [search] method = \"sobol\" spreads as many as you want "
                     "over all knobs",
                     int{SweepFile::MostPoints}));
+    return;
+  }
+  if (file.search.adapts()) {
+    check_first_generation(file, *search, faults);
     return;
   }
   if (!file.where.empty() && sweep_points(file).of_search == 0)
@@ -169,8 +226,10 @@ SweepResult read_sweep(std::string_view text, const std::string& name, const Swe
   if (const TomlNode* node = top.find("goals"))
     file.goals = read_goals(*node, figures, file.measure, faults);
   if (!faults.none()) return result;
+  check_goals(file, top.find("search"), faults);
+  if (!faults.none()) return result;
   for (const std::string& assignment : narrowed) narrow(file, assignment);
-  check_points(file, faults);
+  check_points(file, top.find("search"), faults);
   return result;
 }
 

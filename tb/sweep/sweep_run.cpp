@@ -14,10 +14,12 @@
 #include "tb/sweep/cluster.h"
 #include "tb/sweep/columns.h"
 #include "tb/sweep/figure_file.h"
+#include "tb/sweep/front_search.h"
 #include "tb/sweep/guard_frames.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/measurer.h"
 #include "tb/sweep/model_hash.h"
+#include "tb/sweep/nsga2_library.h"
 #include "tb/sweep/provenance.h"
 #include "tb/sweep/repeats.h"
 #include "tb/sweep/reuse.h"
@@ -62,10 +64,11 @@ struct Found {
 /// A run in a folder that is taken.
 class Sweep {
  public:
-  Sweep(const SweepOptions& options, const SweepPlan& plan, SweepFolder& folder, Store& store,
+  Sweep(const SweepOptions& options, SweepPlan& plan, SweepFolder& folder, Store& store,
         std::int64_t model, ForkServer& server)
       : options_(options),
         plan_(plan),
+        found_(plan),
         folder_(folder),
         store_(store),
         former_(store),
@@ -84,7 +87,7 @@ class Sweep {
     Found::forget(store_);
     folder_.keep_sweep(plan_.text);
     keep_scenes(store_, plan_);
-    tell_lines(former_.change_to(plan_));
+    if (!searches()) tell_lines(former_.change_to(plan_));
     tell_lines(scenes_text(older_scenes(store_, model_)));
     tell(plan_text(plan_, there()) + silicon_.plan_text());
     if (reused_ > 0) tell(fmt::format("{} frames taken over", grouped(reused_)));
@@ -107,11 +110,12 @@ class Sweep {
     }
     measurer_.forget_failures();
     store_.stopped.replace(model_, state_.stops());
+    keep_exact(store_, model_, state_.exact());
     folder_.keep_figures(figures_csv(plan_, measurer_, state_, rung_));
     const std::string text = summary_text(plan_, measurer_, state_, rung_) + timing_.text();
     print(text);
     if (!silicon_.absent() && !timing_.absent())
-      Found(plan_).keep(store_, text, measurer_.failed() > 0);
+      found_.keep(store_, text, measurer_.failed() > 0);
     return measurer_.failed() ? ExitDifference : ExitGood;
   }
 
@@ -161,11 +165,7 @@ class Sweep {
     give_model_silicon();
     silicon_.measure(state_, measurer_, options_.jobs);
     if (plan_.file.measure.timing == SweepTiming::All) map_chips_of(state_.running());
-    const bool races = plan_.file.search.race && !plan_.file.goals.empty();
-    for (const int frames : races ? rungs(last_rung()) : std::vector<int>{last_rung()}) {
-      if (!measure_rung(frames)) return false;
-      if (races) state_.race(frames);
-    }
+    if (!(searches() ? search() : race())) return false;
     const int most = std::max(plan_.file.frames.most, last_rung());
     while (rung_ < most && state_.wide(rung_))
       if (!measure_rung(std::min(2 * rung_, most))) return false;
@@ -176,7 +176,8 @@ class Sweep {
 
   /// What needs no tool.
   void give_model_silicon() {
-    for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point) {
+    for (; described_ < static_cast<int>(plan_.points.size()); ++described_) {
+      const int point = described_;
       const silicon made = sweep_kind(*plan_.file.built)
                                .made_of(plan_.points[static_cast<std::size_t>(point)].k.front(),
                                         plan_.scenes.front().show.tables());
@@ -204,6 +205,45 @@ class Sweep {
     return points;
   }
 
+  bool race() {
+    const bool races = plan_.file.search.races() && !plan_.file.goals.empty();
+    for (const int frames : races ? rungs(last_rung()) : std::vector<int>{last_rung()}) {
+      if (!measure_rung(frames)) return false;
+      if (races) state_.race(frames);
+    }
+    return true;
+  }
+
+  bool searches() const { return plan_.file.search.adapts(); }
+
+  bool search() try {
+    const int frames = last_rung();
+    const auto measure = [this, frames] {
+      take_in_points();
+      if (!measure_rung(frames)) throw Interrupted();
+    };
+    const auto readings = [this, frames](int point) {
+      return measurer_.failure(point).empty() ? state_.read_goals(point, frames)
+                                              : std::vector<Reading>();
+    };
+    tell(search_front(plan_, {measure, readings}));
+    tell_lines(former_.change_to(plan_));
+    return true;
+  } catch (const Interrupted&) {
+    return false;
+  }
+
+  void take_in_points() {
+    measurer_.take_in_points();
+    state_.take_in_points();
+    for (; asked_ < plan_.points.size(); ++asked_)
+      if (const std::string& why = plan_.points[asked_].objection; !why.empty())
+        measurer_.refuse(static_cast<int>(asked_), why);
+    give_model_silicon();
+    silicon_.measure(state_, measurer_, options_.jobs);
+    if (plan_.file.measure.timing == SweepTiming::All) map_chips_of(state_.running());
+  }
+
   bool measure_rung(int frames) {
     rung_ = frames;
     return measurer_.measure(wants(frames)) && measurer_.failure(0).empty();
@@ -224,12 +264,15 @@ class Sweep {
   }
 
   const SweepOptions& options_;
-  const SweepPlan& plan_;
+  SweepPlan& plan_;
+  const Found found_;  // of the plan as it is before a search
   SweepFolder& folder_;
   Store& store_;
   const FormerPoints former_;
   const std::int64_t model_, reused_;
   int rung_ = 0;
+  std::size_t asked_ = 0;  // points that a search has taken in
+  int described_ = 0;      // points that have what needs no tool
   SweepProgress progress_;
   const std::unique_ptr<Cluster> cluster_;
   Measurer measurer_;
@@ -243,7 +286,8 @@ class Sweep {
 int run_sweep(const SweepOptions& options) {
   if (options.on == "slurm") Slurm();  // before anything is written
   ForkServer server(work_on);          // while this process is small
-  const SweepPlan plan = plan_sweep(options.file, options.assignments);
+  SweepPlan plan = plan_sweep(options.file, options.assignments);
+  if (plan.file.search.adapts()) nsga2_library();  // or say what is missing before anything is done
   if (options.dry_run) {
     print(dry_run_text(plan, options.folder, server, options.jobs));
     return ExitGood;

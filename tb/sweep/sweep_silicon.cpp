@@ -20,7 +20,7 @@ std::string fault_note(const UnitParameters& unit) { return "no silicon of " + u
 }  // namespace
 
 SweepSilicon::SweepSilicon(const SweepPlan& plan, Store* store, bool fresh)
-    : plan_(plan), store_(store) {
+    : plan_(plan), store_(store), fresh_(fresh) {
   if (!plan.file.measure.silicon) return;
   try {
     silicon_.emplace(plan.scenes.front().show.engine());
@@ -33,11 +33,16 @@ SweepSilicon::SweepSilicon(const SweepPlan& plan, Store* store, bool fresh)
     if (!store_) return {};
     return store_->units.find(hash);
   });
-  for (const PlannedPoint& point : plan.points) syntheses_->want(point.k.front());
-  if (!store || fresh) return;
+  want();
+}
+
+void SweepSilicon::want() {
+  for (; wanted_ < plan_.points.size(); ++wanted_)
+    syntheses_->want(plan_.points[wanted_].k.front());
+  if (!store_ || fresh_) return;
   std::size_t faults = 0;
   for (const UnitParameters& unit : syntheses_->missing())
-    if (const std::string fault = store->notes.find(fault_note(unit)); !fault.empty()) {
+    if (const std::string fault = store_->notes.find(fault_note(unit)); !fault.empty()) {
       syntheses_->put(unit, {{}, fault});
       ++faults;
     }
@@ -61,6 +66,7 @@ std::string SweepSilicon::plan_text() const {
 
 void SweepSilicon::measure(SweepState& state, Measurer& measurer, int jobs) {
   if (!syntheses_) return;
+  want();
   SynthesisPlan how;
   how.jobs = jobs;
   synthesise(syntheses_->missing(), how,
@@ -69,8 +75,9 @@ void SweepSilicon::measure(SweepState& state, Measurer& measurer, int jobs) {
                else store_->notes.put(fault_note(unit), outcome.fault);
                syntheses_->put(unit, outcome);
              });
-  for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point) {
-    const PlannedPoint& of = plan_.points[static_cast<std::size_t>(point)];
+  for (; measured_ < plan_.points.size(); ++measured_) {
+    const auto point = static_cast<int>(measured_);
+    const PlannedPoint& of = plan_.points[measured_];
     const PointSilicon silicon = syntheses_->of(of.k.front());
     if (silicon.fault.empty()) {
       state.set_exact(point, "flip_flops", static_cast<double>(silicon.flip_flops));

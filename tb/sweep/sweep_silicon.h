@@ -24,15 +24,19 @@ class SweepSilicon {
 
   /// "; silicon: 25 unit syntheses (of 946 without sharing)"
   std::string plan_text() const;
-  /// Synthesises what is missing, and gives the points their figures. A point without them is
-  /// refused if a goal needs them. Throws Interrupted.
+  /// Synthesises what is missing, and gives the points their figures that have none yet. A point
+  /// without them is refused if a goal needs them. Throws Interrupted.
   void measure(SweepState& state, Measurer& measurer, int jobs);
 
  private:
   bool needed() const;
+  /// Plans the syntheses of the points that the plan has got.
+  void want();
 
   const SweepPlan& plan_;
   Store* const store_;
+  const bool fresh_;
+  std::size_t wanted_ = 0, measured_ = 0;  // points
   std::optional<Silicon> silicon_{};
   std::optional<SiliconPlan> syntheses_{};
 };

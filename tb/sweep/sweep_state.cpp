@@ -35,6 +35,17 @@ std::vector<PointReading> SweepState::read(int point,
   return all;
 }
 
+std::vector<Reading> SweepState::read_goals(int point, int frames) const {
+  std::vector<Reading> goals;
+  for (const Goal& goal : plan_.file.goals) {
+    Reading reading = read(point, *figure_named(goal.figure, *plan_.file.built), frames).reading;
+    for (std::size_t scene = 0; scene < reading.frames.size(); ++scene)
+      reading.frames[scene] = of_first(reading.frames[scene], plan_.scenes[scene].order, frames);
+    goals.push_back(std::move(reading));
+  }
+  return goals;
+}
+
 std::vector<int> SweepState::measured() const {
   std::vector<int> points;
   for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)
@@ -68,6 +79,13 @@ void SweepState::race(int frames) {
     Stopped& stopped = stops_[static_cast<std::size_t>(points[stop.point])];
     stopped = {frames, stop.by < 0 ? -1 : points[static_cast<std::size_t>(stop.by)], stop.why};
   }
+}
+
+std::vector<ExactFigure> SweepState::exact() const {
+  std::vector<ExactFigure> all;
+  for (const auto& [of, value] : exact_)
+    all.push_back({measurer_.key(of.first, 0).point, of.second, value});
+  return all;
 }
 
 std::vector<StoppedPoint> SweepState::stops() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/sweep/exact_figures.h"
 #include "tb/sweep/figures.h"
 #include "tb/sweep/front.h"
 #include "tb/sweep/measurer.h"
@@ -23,10 +24,14 @@ class SweepState {
   SweepState(const SweepPlan& plan, const Store& store, const Measurer& measurer)
       : plan_(plan), store_(store), measurer_(measurer), stops_(plan.points.size()) {}
 
+  /// The plan has got more points.
+  void take_in_points() { stops_.resize(plan_.points.size()); }
   /// Figures of designs, by point: what nobody measures in frames.
   void set_exact(int point, const std::string& figure, double value) {
     exact_[{point, figure}] = value;
   }
+
+  std::vector<ExactFigure> exact() const;
 
   /// Points that go on: not stopped, not failed.
   std::vector<int> running() const;
@@ -43,6 +48,8 @@ class SweepState {
   /// The same of several figures, with their columns read once.
   std::vector<PointReading> read(int point, const std::vector<const PointFigure*>& figures,
                                  int frames) const;
+  /// Of the goals, from the first frames of each scene alone: guard frames may come later.
+  std::vector<Reading> read_goals(int point, int frames) const;
   /// All that have not failed, with the goals of the file.
   struct Verdicts {
     std::vector<int> points;

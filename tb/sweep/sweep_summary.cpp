@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tb/base/counted.h"
+#include "tb/sweep/aligned_rows.h"
 #include "tb/sweep/figures.h"
 #include "tb/sweep/interval_text.h"
 #include "tb/sweep/verdict_words.h"
@@ -30,25 +31,6 @@ std::string cell(const PointFigure& figure, const PointReading& read, int scene)
   const Strata strata = strata_of(read, scene);
   if (figure.sampled()) return text_of(mean_of(strata), figure.unit[0] == '%' ? "%" : "");
   return text_of(worst_of(strata).value) + "*";
-}
-
-using Row = std::vector<std::string>;
-
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths.resize(std::max(widths.size(), row.size()));
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
 }
 
 /// The verdicts of a sweep as text.
@@ -109,7 +91,7 @@ class Summary {
   }
 
   std::string table(int scene) const {
-    std::vector<Row> rows = {{"", "point", "frames"}};
+    std::vector<TextRow> rows = {{"", "point", "frames"}};
     for (const PointFigure* figure : figures_) rows[0].push_back(figure->name);
     for (const std::size_t candidate : rows_) {
       const int point = all_.points[candidate];
@@ -117,8 +99,9 @@ class Summary {
           state_.read(point, *figure_named("picture_error", *plan_.file.built), frames_);
       std::size_t frames = 0;
       for (const Stratum& stratum : strata_of(any, scene)) frames += stratum.frames.size();
-      Row row = {plan_.file.goals.empty() ? "" : standing_word(all_.verdicts[candidate].standing),
-                 name(point), grouped(static_cast<long long>(frames))};
+      TextRow row = {
+          plan_.file.goals.empty() ? "" : standing_word(all_.verdicts[candidate].standing),
+          name(point), grouped(static_cast<long long>(frames))};
       for (const PointFigure* figure : figures_)
         row.push_back(cell(*figure, state_.read(point, *figure, frames_), scene));
       row.push_back(setting_words(plan_, point));
@@ -162,6 +145,9 @@ std::string setting_words(const SweepPlan& plan, int point) {
 std::string plan_text(const SweepPlan& plan, int there) {
   std::string text = fmt::format("{}: {}", plan.file.name, counted(plan.points.size(), "point"));
   if (!plan.file.knobs.empty()) text += " of " + counted(plan.file.knobs.size(), "knob");
+  if (const SweepSearch& search = plan.file.search; search.adapts())
+    text += fmt::format(", then {} of {} by nsga2", counted(search.generations, "generation"),
+                        search.population);
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene)
     text +=
         fmt::format("; {}, {} of {} frames", plan.scenes[scene].name, grouped(plan.sample(scene)),

@@ -39,7 +39,7 @@ TEST_F(CliSweepFaults, AllOfThemAreToldAtOnceWithTheirPlacesAndTheNearestNames) 
       "[[point]]\n"
       "name = \"a\"\n"
       "[search]\n"
-      "method = \"nsga2\"\n"
+      "method = \"nsga3\"\n"
       "[goals]\n"
       "cells = \"min\"\n"
       "busy = \"least\"\n"
@@ -53,7 +53,7 @@ TEST_F(CliSweepFaults, AllOfThemAreToldAtOnceWithTheirPlacesAndTheNearestNames) 
         "s.toml:5:11: 'dr_bits' is 99", "s.toml:6:33: 'from' is 8 and 'to' is 4",
         "s.toml:7:46: 'step' is 0", "s.toml:8:16: 'fifo_entries' has an empty list",
         "s.toml:9:13: 'bisection' is 'pow3'", "s.toml:13:8: the name 'a' is used twice",
-        "s.toml:15:10: 'method' is 'nsga2'", "s.toml:17:1: goal 'cells' is not measured",
+        "s.toml:15:10: 'method' is 'nsga3'", "s.toml:17:1: goal 'cells' is not measured",
         "s.toml:18:8: 'busy' is 'least'", "s.toml:20:10: 'timing' is 'fast'",
         "s.toml:21:13: ", "14 faults in s.toml"})
     EXPECT_THAT(said, HasSubstr(fault));

@@ -170,10 +170,17 @@ TEST_F(CliTest, ProgramWithoutItsLibrariesSaysWhereItLookedAndWhatToDo) {
   refused({"render", "demo", "--sheet", "a.png"}, "libracebeam_images.so");
   EXPECT_THAT(refused({"view", "demo"}, "libracebeam_window.so"),
               AllOf(HasSubstr("apt install libsdl2-dev"), HasSubstr("racebeam view --term")));
+  std::ofstream(folder / "s.toml") << "search = { method = \"nsga2\", population = 8 }\n"
+                                      "goals = { picture_error = \"min\", busy = \"min\" }\n"
+                                      "knobs.fifo_entries = { from = 3, to = 64 }\n";
+  EXPECT_THAT(refused({"sweep", "run", "s.toml", "-o", "out"}, "libracebeam_search.so"),
+              AllOf(HasSubstr("apt install libpagmo-dev"), HasSubstr("method = \"sobol\"")));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
   Program doctor(folder.path(), {"doctor"}, setting);
   EXPECT_EQ(doctor.wait(), 3);
   EXPECT_THAT(doctor.out(), AllOf(HasSubstr("OpenImageIO        not found"),
-                                  HasSubstr("SDL2               not found")));
+                                  HasSubstr("SDL2               not found"),
+                                  HasSubstr("pagmo              not found")));
   EXPECT_THAT(doctor.err(), HasSubstr("caption a picture: libracebeam_images.so is neither in "));
 }
 

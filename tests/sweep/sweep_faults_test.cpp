@@ -53,15 +53,40 @@ const BadSweep BadSweeps[] = {
     {"UntilInClocks", "frames.until = { busy = \"5 clocks\" }\n", "1:25: 'busy' is '5 clocks'",
      "a number and its unit, \"0.5 %\""},
 
-    {"UnknownMethod", "search.method = \"nsga2\"\n", "1:17: 'method' is 'nsga2'",
-     "it must be one of grid, one-by-one, sobol"},
+    {"UnknownMethod", "search.method = \"nsga3\"\n", "1:17: 'method' is 'nsga3'",
+     "it must be one of grid, one-by-one, sobol, nsga2"},
     {"MethodIsNumber", "search.method = 1\n", "1:17: 'method' is a whole number", "a text"},
     {"NoPoints", "search.points = 0\n", "1:17: 'points' is 0", "1..100000"},
     {"TooManyPoints", "search.points = 100001\n", "1:17: 'points' is 100001", "1..100000"},
     {"SeedBelowZero", "search.seed = -1\n", "1:15: 'seed' is -1", "0..2147483647"},
     {"RaceIsText", "search.race = \"on\"\n", "1:15: 'race' is a string", "true or false"},
-    {"UnknownSearchKey", "search.generations = 3\n", "1:8: unknown key 'generations' in 'search'",
-     "there is: method, points, seed, race"},
+    {"UnknownSearchKey", "search.zzz = 3\n", "1:8: unknown key 'zzz' in 'search'",
+     "there is: method, points, population, generations, seed, race"},
+    {"PopulationOfFew", "search.population = 4\n", "1:21: 'population' is 4", "8..100000"},
+    {"GenerationsOfNone", "search.generations = 0\n", "1:22: 'generations' is 0", "1..100000"},
+    {"PopulationNotByFours", "search = { method = \"nsga2\", population = 30 }\n",
+     "1:43: 'population' is 30", "a multiple of 4"},
+    {"GenerationsTooMany", "[search]\nmethod = \"nsga2\"\ngenerations = 3125\n",
+     "3:15: 'generations' is 3125 and 'population' is 32", "100000 points together"},
+    {"PopulationTooLarge", "[search]\nmethod = \"nsga2\"\npopulation = 10000\n",
+     "2:10: 'generations' is 12 and 'population' is 10000", "100000 points together"},
+    {"SearchWithoutGoals", "search.method = \"nsga2\"\n", "1:17: nsga2 has 0 goals", "two or more"},
+    {"SearchWithOneGoal",
+     "search.method = \"nsga2\"\n[goals]\nbusy = \"min\"\nstarved = { most = 1 }\n",
+     "1:17: nsga2 has 1 goal", "two or more"},
+    {"SearchOfFewPoints",
+     "search = { method = \"nsga2\", population = 8 }\n"
+     "goals = { busy = \"min\", picture_error = \"min\" }\n[knobs]\ndr_bits = [8, 9, 10]\n",
+     "3:1: the knobs make 3 points, and a generation has 8", "method = \"grid\""},
+    {"SearchWithoutKnobs",
+     "search = { method = \"nsga2\", population = 8 }\n"
+     "goals = { busy = \"min\", picture_error = \"min\" }\n",
+     "1:21: the knobs make 1 point, and a generation has 8", "method = \"grid\""},
+    {"WhereLeavesFewToASearch",
+     "search = { method = \"nsga2\", population = 8 }\n"
+     "goals = { busy = \"min\", picture_error = \"min\" }\n[knobs]\n"
+     "fifo_entries = { from = 3, to = 64 }\nwhere = \"fifo_entries < 8\"\n",
+     "5:9: 'where' leaves 5 points, and a generation has 8", "method = \"grid\""},
     {"GridTooLarge",
      "[knobs]\nhurry_threshold = { from = 0, to = 638 }\nfifo_entries = { from = 3, to = 64 }\n"
      "dr_bits = [8, 9, 10]\n",
@@ -127,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(All, SweepFaultTest, testing::ValuesIn(BadSweeps),
 TEST(SweepFaultsTest, AllAreReportedAtOnceInTheOrderOfTheFile) {
   const std::string faults = sweep_faults(
       "scenes = [\"x\"]\n[frames]\nsample = 0\n[knobs]\nfifo_entries = []\nwhere = \"3\"\n"
-      "[[point]]\nname = \"p1\"\n[search]\nmethod = \"nsga2\"\n[goals]\ncells = \"min\"\n"
+      "[[point]]\nname = \"p1\"\n[search]\nmethod = \"nsga3\"\n[goals]\ncells = \"min\"\n"
       "[measure]\ntiming = \"all\"\n");
   std::size_t at = 0;
   for (const char* place :

@@ -99,7 +99,10 @@ TEST(SweepFileTest, PartsAreLeftOutByPattern) {
   EXPECT_FALSE(sweep("frames.skip = []\n").frames.skips("tunnel, ray pattern"));
 }
 
+// nsga2 needs two goals with min or max, and as many points as a generation has.
 TEST(SweepFileTest, EveryMethodGoesWithEveryGoal) {
+  const std::string few = "[knobs]\nfifo_entries = [4, 5]\n",
+                    many = "[knobs]\nfifo_entries = { from = 4, to = 11 }\n";
   const std::vector<std::string> wishes = {"\"min\"", "\"max\"", "{ most = \"0.5 UNIT\" }",
                                            "{ least = 3 }", "{ least = 1.5, most = 2 }"};
   for (std::size_t method = 0; method < method_words().size(); ++method)
@@ -108,12 +111,16 @@ TEST(SweepFileTest, EveryMethodGoesWithEveryGoal) {
         std::string written = wish;
         if (const auto at = written.find("UNIT"); at != std::string::npos)
           written.replace(at, 4, figure.unit);
-        const std::string goals = "\"" + figure.name + "\" = " + written + "\n",
-                          search = "search.method = \"" + method_words()[method] + "\"\n",
+        const bool searches = method_words()[method] == "nsga2";
+        std::string goals = "\"" + figure.name + "\" = " + written + "\n";
+        for (const char* other : {"busy", "picture_error", "starved"})
+          if (searches && other != figure.name) goals += std::string(other) + " = \"max\"\n";
+        const std::string search = "search = { population = 8, method = \"" +
+                                   method_words()[method] + "\" }\n",
                           measure = "measure = { silicon = \"generic\", causes = true }\n";
         const SweepFile file =
-            sweep(search + measure + "[goals]\n" + goals + "[knobs]\nfifo_entries = [4, 5]\n");
-        ASSERT_EQ(file.goals.size(), 1u);
+            sweep(search + measure + "[goals]\n" + goals + (searches ? many : few));
+        ASSERT_EQ(file.goals.size() == 1, !searches);
         const Goal& goal = file.goals[0];
         EXPECT_EQ(goal.figure, figure.name);
         EXPECT_EQ(static_cast<std::size_t>(file.search.method), method);
@@ -121,7 +128,7 @@ TEST(SweepFileTest, EveryMethodGoesWithEveryGoal) {
         EXPECT_EQ(goal.kind == GoalKind::Max, wish == wishes[1]);
         EXPECT_EQ(goal.most.value_or(-1), wish == wishes[2] ? 0.5 : wish == wishes[4] ? 2 : -1);
         EXPECT_EQ(goal.least.value_or(-1), wish == wishes[3] ? 3 : wish == wishes[4] ? 1.5 : -1);
-        EXPECT_EQ(sweep_points(file).points.size(), 3u);
+        EXPECT_EQ(sweep_points(file).points.size(), searches ? 8u : 3u);
       }
 }
 
@@ -152,6 +159,19 @@ TEST(SweepFileTest, PointsOfAGridAreNotCountedByHand) {
   EXPECT_THAT(warnings_of("[search]\npoints = 9\n"),
               HasSubstr("f:2:10: warning: 'points' counts for sobol only"));
   EXPECT_EQ(warnings_of("[search]\npoints = 9\nmethod = \"sobol\"\n"), "");
+}
+
+TEST(SweepFileTest, WhatAMethodDoesNotLookAtIsWarnedOf) {
+  for (const char* key : {"population", "generations"})
+    EXPECT_THAT(warnings_of("[search]\n" + std::string(key) + " = 12\n"),
+                HasSubstr("'" + std::string(key) + "' counts for nsga2 only"));
+  const std::string search =
+      "goals = { busy = \"min\", picture_error = \"min\" }\n[knobs]\n"
+      "fifo_entries = { from = 4, to = 64 }\n[search]\nmethod = \"nsga2\"\n";
+  EXPECT_THAT(warnings_of(search + "points = 9\n"),
+              HasSubstr("'population' and 'generations' say how many"));
+  EXPECT_THAT(warnings_of(search + "race = true\n"), HasSubstr("'race' has no effect"));
+  EXPECT_EQ(warnings_of(search + "population = 16\ngenerations = 3\nrace = false\n"), "");
 }
 
 TEST(SweepFileTest, EveryKeyOfTheTableIsKnown) {
