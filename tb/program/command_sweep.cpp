@@ -14,6 +14,7 @@
 #include "tb/sweep/block_worker.h"
 #include "tb/sweep/figures.h"
 #include "tb/sweep/starter_sweep.h"
+#include "tb/sweep/sweep_against.h"
 #include "tb/sweep/sweep_run.h"
 #include "tb/sweep/sweep_status.h"
 
@@ -26,8 +27,8 @@ struct Options {
   bool watch = false, json = false;
   int sample = 20;
   int rung = 0, block = 0;
-  bool no_wait = false;
-  std::string csv, frames_csv, json_file;
+  bool no_wait = false, expect_same = false;
+  std::string csv, frames_csv, json_file, against;
 };
 
 int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
@@ -96,6 +97,12 @@ int sweep_export(const Options& options) {
   return ExitGood;
 }
 
+int sweep_compare(const Options& options) {
+  const SweepAgainst against = sweep_against(options.run.folder, options.against);
+  print(options.json ? against_json(against) : against_text(against));
+  return options.expect_same && !against.same() ? ExitDifference : ExitGood;
+}
+
 void add_file(const CommandOptions& command, Options& options, const char* type) {
   command.add_option("file", options.run.file, "Sweep file (TOML)").required().type_name(type);
 }
@@ -160,6 +167,18 @@ void add_work_options(const CommandOptions& work, Options& options) {
       .required();
 }
 
+void add_compare_options(const CommandOptions& command, Options& options) {
+  add_folder(command, options);
+  command
+      .add_option("--against", options.against,
+                  "Folder of a sweep before; DIR itself: its model before")
+      .required()
+      .type_name("DIR")
+      .check(not_empty);
+  command.add_flag("--expect-same", options.expect_same, "Exit code 1 if a point has changed");
+  command.add_flag("--json", options.json, "JSON on stdout instead of the text");
+}
+
 void add_export_options(const CommandOptions& command, Options& options) {
   add_folder(command, options);
   const auto file = [&](const char* name, std::string& to, const char* help) {
@@ -200,6 +219,9 @@ Command sweep_row() {
                        is_number_in("--sample", 0, 1'000'000))
                 .capture_default_str();
             add_jobs(check, *options);
+            add_compare_options(
+                add("compare", "What changed since another sweep, or another model", sweep_compare),
+                *options);
             add_export_options(add("export", "Results as CSV or JSON", sweep_export), *options);
             return [options, chosen](const std::vector<std::string>& words) {
               options->run.command.clear();

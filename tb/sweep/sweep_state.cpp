@@ -7,6 +7,24 @@
 
 namespace racebeam {
 
+namespace {
+
+// Without guard frames, which are there only in a sweep that has ended.
+Stratum of_first(const Stratum& all, const std::vector<int>& order, int frames) {
+  const auto taken = std::min(order.size(), static_cast<std::size_t>(frames));
+  std::vector<int> first(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(taken));
+  std::sort(first.begin(), first.end());
+  Stratum of{{}, {}, all.population};
+  for (std::size_t i = 0; i < all.frames.size(); ++i)
+    if (std::binary_search(first.begin(), first.end(), all.frames[i])) {
+      of.frames.push_back(all.frames[i]);
+      of.values.push_back(all.values[i]);
+    }
+  return of;
+}
+
+}  // namespace
+
 std::vector<int> SweepState::running() const {
   std::vector<int> points;
   for (int point = 0; point < static_cast<int>(plan_.points.size()); ++point)

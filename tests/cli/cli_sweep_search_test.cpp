@@ -77,7 +77,7 @@ TEST_F(CliSweepSearch, StoppedAnywhereItGoesOnWithTheSamePointsAndFrames) {
   const int whole = frames("whole");
   EXPECT_GT(whole, 9 * 8);
   std::mt19937 random(16);
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 2; ++round) {
     const int stop = 1 + static_cast<int>(random() % static_cast<unsigned>(whole));
     const std::string out = "out" + std::to_string(round);
     Program run(folder.path(), run_words(out));
