@@ -81,9 +81,8 @@ void expect_nothing_passed_over(int worlds, int rays) {
       for (const vec3& voxel : voxels_before(world, ray, until)) {
         if (!world.occupied(0, voxel[0], voxel[1], voxel[2])) continue;
         ++looked;
-        ASSERT_TRUE(sampled.count(voxel))
-            << "world " << n << ", ray " << r << ": voxel " << voxel[0] << " " << voxel[1] << " "
-            << voxel[2];
+        ASSERT_TRUE(sampled.count(voxel)) << "world " << n << ", ray " << r << ": voxel "
+                                          << voxel[0] << " " << voxel[1] << " " << voxel[2];
       }
     }
   }
@@ -133,8 +132,7 @@ TEST(VoxelTraversal, RaysThroughCornersHitWhatTheyTouch) {
         voxel_walked walked;
         const voxel_end end = voxel_walk(world, k, ray, Wide, walked);
         ASSERT_EQ(end.kind, VoxelHit);
-        const VoxelGolden::Hit exact =
-            golden.hit({256, 256, 120}, {a / 32.0, b / 32.0, -c / 64.0});
+        const VoxelGolden::Hit exact = golden.hit({256, 256, 120}, {a / 32.0, b / 32.0, -c / 64.0});
         ASSERT_FALSE(exact.sky);
         ++rays;
         const auto cell = [](int at) { return voxel_wrapped(at >> 8, 512); };
