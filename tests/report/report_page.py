@@ -30,7 +30,7 @@ CHARTS = ["front", "parallel", "effects", "heat", "slack", "causes"]
 GRID = """name = "grid"
 [frames]
 sample = 16
-guard = 4
+guard = 0
 [knobs]
 interval_stack_depth = [2, 4, 8]
 fifo_entries = [6, 10]
