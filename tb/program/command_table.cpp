@@ -21,9 +21,9 @@ namespace racebeam {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      render_row(),  view_row(),     explain_row(), trace_row(),  scene_row(),
-      verify_row(),  verilate_row(), units_row(),   knobs_row(),  sweep_row(),
-      report_row(),  compare_row(), claims_row(),  bench_row(),  doctor_row(),
+      render_row(), view_row(),     explain_row(), trace_row(), scene_row(),
+      verify_row(), verilate_row(), units_row(),   knobs_row(), sweep_row(),
+      report_row(), compare_row(),  claims_row(),  bench_row(), doctor_row(),
   };
   return table;
 }

@@ -59,8 +59,8 @@ using SweepReference = PictureReference;
 enum class SweepTiming { Off, Front, All };
 
 struct SweepMeasure {
-  bool causes = false;          ///< errors by cause
-  bool silicon = false;         ///< generic cells and flip-flops
+  bool causes = false;   ///< errors by cause
+  bool silicon = false;  ///< generic cells and flip-flops
   SweepTiming timing = SweepTiming::Off;
   std::vector<int> pictures{};  ///< frames that are kept as pictures
   bool worst_picture = false;   ///< and the worst one

@@ -114,8 +114,7 @@ class Sweep {
     folder_.keep_figures(figures_csv(plan_, measurer_, state_, rung_));
     const std::string text = summary_text(plan_, measurer_, state_, rung_) + timing_.text();
     print(text);
-    if (!silicon_.absent() && !timing_.absent())
-      found_.keep(store_, text, measurer_.failed() > 0);
+    if (!silicon_.absent() && !timing_.absent()) found_.keep(store_, text, measurer_.failed() > 0);
     return measurer_.failed() ? ExitDifference : ExitGood;
   }
 
