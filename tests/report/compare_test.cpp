@@ -28,6 +28,7 @@
 #include "tb/report/compare_metrics.h"
 #include "tb/scene/engines.h"
 #include "tb/show/open_show.h"
+#include "tb/sweep/sweep_kinds.h"
 #include "tests/support/document.h"
 
 namespace racebeam {
@@ -104,7 +105,7 @@ TEST(CompareMemories, OfTheBlockRendererAreItsCoresArrays) {
 
 TEST(CompareTables, EveryEngineHasARowAndAFormulaForEachQuantity) {
   for (const engine* built : engines()) {
-    const silicon made = compare_kind_of(*built).made_of(built->standard(nullptr), nullptr);
+    const silicon made = sweep_kind(*built).made_of(built->standard(nullptr), nullptr);
     for (const CompareName& wanted : compare_quantities())
       EXPECT_EQ(std::count_if(made.quantities.begin(), made.quantities.end(),
                               [&](const quantity_row& row) { return row.name == wanted.name; }),
@@ -125,7 +126,7 @@ TEST(CompareTables, FormulasAreOverNumbersThatThereAre) {
     for (const histogram_info& row : built->histograms)
       for (int value = 0; value <= row.largest(k); ++value)
         numbers[std::string(row.name) + "_" + std::to_string(value)] = 1;
-    const silicon made = compare_kind_of(*built).made_of(k, nullptr);
+    const silicon made = sweep_kind(*built).made_of(k, nullptr);
     for (const scene_number& row : made.scene) numbers[row.name] = row.value;
     for (const quantity_row& row : made.quantities) {
       EXPECT_EQ(formula_value(row.formula, numbers).has_value(), !row.formula.empty())
