@@ -15,9 +15,10 @@ std::optional<SiliconFigure> silicon_figure(const std::string& figure) {
   const std::size_t dot = figure.find('.');
   const std::string what = figure.substr(0, dot);
   const std::string unit = dot == std::string::npos ? "" : figure.substr(dot + 1);
+  if (figure == "longest_path") return SiliconFigure{SiliconFigure::LongestPath, ""};
   if (what != "flip_flops" && what != "cells") return {};
   if (dot != std::string::npos && !beam_engine().unit(unit)) return {};
-  return SiliconFigure{what == "flip_flops", unit};
+  return SiliconFigure{what == "cells" ? SiliconFigure::Cells : SiliconFigure::FlipFlops, unit};
 }
 
 std::optional<ClaimSource> claim_source(const std::string& figure) {
@@ -30,7 +31,7 @@ std::optional<ClaimSource> claim_source(const std::string& figure) {
 }
 
 std::vector<std::string> claim_figure_names() {
-  std::vector<std::string> names = {"cells", "flip_flops"};
+  std::vector<std::string> names = {"cells", "flip_flops", "longest_path"};
   for (const ArithmeticFigure& figure : arithmetic_figures()) names.emplace_back(figure.name);
   for (const GoldenSet& set : golden_sets())
     names.insert(names.end(), set.columns.begin(), set.columns.end());

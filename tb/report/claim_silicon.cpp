@@ -10,7 +10,7 @@
 
 namespace racebeam {
 
-ClaimSilicon::ClaimSilicon(UnitCache& cache) : cache_(cache) {
+ClaimSilicon::ClaimSilicon(Store& store) : cache_(store.units), chips_(store.chips) {
   try {
     silicon_.emplace(beam_engine());
   } catch (const MissingTool& error) {
@@ -31,12 +31,23 @@ std::vector<UnitParameters> ClaimSilicon::units_of(const SiliconFigure& figure,
 
 void ClaimSilicon::want(const SiliconFigure& figure, const knob_values& k) {
   if (!silicon_) return;
+  if (figure.what == SiliconFigure::LongestPath) return want_path(k);
   try {
     for (const UnitParameters& unit : units_of(figure, k))
       if (!cache_.find(unit.hash)) wanted_.emplace(unit.hash, unit);
   } catch (const NoSilicon&) {
     return;  // why() says it
   }
+}
+
+void ClaimSilicon::want_path(const knob_values& k) try {
+  if (!technology_) technology_.emplace(*silicon_, StandardCells);
+  const ChipWanted chip = technology_->chip_of(k);
+  if (!chips_.find(chip.chip.hash)) wanted_chips_.emplace(chip.chip.hash, chip);
+} catch (const MissingTool& error) {
+  no_technology_ = error.what();
+} catch (const NoSilicon&) {
+  // why() says it
 }
 
 void ClaimSilicon::measure(int jobs) {
@@ -49,14 +60,24 @@ void ClaimSilicon::measure(int jobs) {
     else faults_[unit.hash] = outcome.fault;
   });
   wanted_.clear();
+  std::vector<ChipWanted> chips;
+  for (const auto& [hash, chip] : wanted_chips_) chips.push_back(chip);
+  how.limit = ChipLimit;
+  map_chips(chips, how, [&](const ChipWanted& chip, const ChipOutcome& outcome) {
+    if (outcome.mapped) chips_.put(*outcome.mapped);
+    else faults_[chip.chip.hash] = outcome.fault;
+  });
+  wanted_chips_.clear();
 }
 
 std::optional<double> ClaimSilicon::value(const SiliconFigure& figure, const knob_values& k) const {
   if (!why(figure, k).empty()) return {};
+  if (figure.what == SiliconFigure::LongestPath)
+    return chips_.find(technology_->chip_of(k).chip.hash)->ns;
   std::int64_t sum = 0;
   for (const UnitParameters& unit : units_of(figure, k)) {
     const UnitSilicon of = *cache_.find(unit.hash);
-    sum += figure.flip_flops ? of.flip_flops : of.cells;
+    sum += figure.what == SiliconFigure::FlipFlops ? of.flip_flops : of.cells;
   }
   return static_cast<double>(sum);
 }
@@ -64,6 +85,7 @@ std::optional<double> ClaimSilicon::value(const SiliconFigure& figure, const kno
 std::string ClaimSilicon::why(const SiliconFigure& figure, const knob_values& k) const {
   if (!silicon_) return missing_;
   try {
+    if (figure.what == SiliconFigure::LongestPath) return why_no_path(k);
     for (const UnitParameters& unit : units_of(figure, k)) {
       if (const auto fault = faults_.find(unit.hash); fault != faults_.end()) return fault->second;
       if (!cache_.find(unit.hash)) return unit.text() + " has not been synthesised";
@@ -72,6 +94,13 @@ std::string ClaimSilicon::why(const SiliconFigure& figure, const knob_values& k)
     return error.what();
   }
   return "";
+}
+
+std::string ClaimSilicon::why_no_path(const knob_values& k) const {
+  if (!technology_) return no_technology_;
+  const UnitParameters chip = technology_->chip_of(k).chip;
+  if (const auto fault = faults_.find(chip.hash); fault != faults_.end()) return fault->second;
+  return chips_.find(chip.hash) ? "" : chip.text() + " has not been mapped";
 }
 
 }  // namespace racebeam

@@ -132,7 +132,7 @@ class Measurement {
           case ClaimSource::Frames:
           case ClaimSource::Golden: scene(check.scene).want(*figure, *side); break;
           case ClaimSource::Silicon:
-            if (!silicon_) silicon_.emplace(scene("demo").store().units);
+            if (!silicon_) silicon_.emplace(scene("demo").store());
             silicon_->want(*silicon_figure(*figure), knobs_of(*side));
         }
       }
