@@ -78,15 +78,45 @@ std::optional<Estimate> change_of(const std::vector<Pair>& pairs, std::size_t le
   return difference_of(average(to), average(from));
 }
 
-/// The values of a figure, by the value of a knob.
-std::map<int, std::vector<double>> by_value(const ReportedSweep& sweep, std::size_t knob,
-                                            std::size_t led) {
-  std::map<int, std::vector<double>> groups;
+/// Values of a knob that are looked at together.
+struct ValueGroup {
+  int from, to;
+};
+
+/// Each value, or if there are many, neighbours together, with about as many points each: a few
+/// points with a value say little of it.
+std::vector<ValueGroup> groups_of(const ReportedSweep& sweep, std::size_t knob) {
+  constexpr std::size_t Most = 8;
+  std::vector<ValueGroup> groups;
+  const std::vector<int> values = values_of(sweep, knob);
+  if (values.size() <= Most) {
+    for (const int value : values) groups.push_back({value, value});
+    return groups;
+  }
+  std::vector<int> all;
   for (const ReportedPoint& point : sweep.points)
-    if (const ReportedFigure* figure =
-            point.measured() ? sweep.figure(point, sweep.led[led]->name) : nullptr)
-      groups[point.k.front()[knob]].push_back(figure->value.value);
+    if (point.measured()) all.push_back(point.k.front()[knob]);
+  std::sort(all.begin(), all.end());
+  for (const int value : values) {
+    const auto before = std::lower_bound(all.begin(), all.end(), value) - all.begin();
+    const std::size_t place = static_cast<std::size_t>(before) * Most / all.size();
+    if (groups.size() <= place) groups.push_back({value, value});
+    groups.back().to = value;
+  }
   return groups;
+}
+
+/// The values of a figure, of the points in a group.
+std::vector<double> values_in(const ReportedSweep& sweep, std::size_t knob, const ValueGroup& group,
+                              std::size_t led) {
+  std::vector<double> values;
+  for (const ReportedPoint& point : sweep.points) {
+    const int value = point.k.front()[knob];
+    const ReportedFigure* figure =
+        point.measured() ? sweep.figure(point, sweep.led[led]->name) : nullptr;
+    if (figure && value >= group.from && value <= group.to) values.push_back(figure->value.value);
+  }
+  return values;
 }
 
 }  // namespace
@@ -143,13 +173,13 @@ std::vector<KnobMean> knob_means(const ReportedSweep& sweep) {
   std::vector<KnobMean> all;
   for (const std::size_t knob : sweep.knobs) {
     const knob_row& row = sweep.built().knobs[knob];
-    for (const int value : values_of(sweep, knob)) {
-      KnobMean mean{row.name, row.text(value)};
+    for (const ValueGroup& group : groups_of(sweep, knob)) {
+      KnobMean mean{row.name, row.text(group.from)};
+      if (group.to != group.from) mean.value += ".." + row.text(group.to);
       for (std::size_t led = 0; led < sweep.led.size(); ++led) {
-        const auto groups = by_value(sweep, knob, led);
-        const auto at = groups.find(value);
-        mean.means.push_back(at == groups.end() ? std::optional<PointsMean>()
-                                                : mean_over_points(at->second));
+        const std::vector<double> values = values_in(sweep, knob, group, led);
+        mean.means.push_back(values.empty() ? std::optional<PointsMean>()
+                                            : mean_over_points(values));
       }
       all.push_back(std::move(mean));
     }
@@ -179,7 +209,8 @@ std::vector<KnobShare> knob_shares(const ReportedSweep& sweep) {
     KnobShare share{sweep.built().knobs[knob].name};
     for (std::size_t led = 0; led < sweep.led.size(); ++led) {
       std::vector<std::vector<double>> groups;
-      for (auto& [value, group] : by_value(sweep, knob, led)) groups.push_back(group);
+      for (const ValueGroup& group : groups_of(sweep, knob))
+        groups.push_back(values_in(sweep, knob, group, led));
       share.shares.push_back(eta_squared(groups));
     }
     all.push_back(std::move(share));

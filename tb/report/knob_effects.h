@@ -32,7 +32,7 @@ struct PointsMean {
 PointsMean mean_over_points(const std::vector<double>& values, double confidence = Confidence);
 
 struct KnobMean {
-  std::string knob, value;
+  std::string knob, value;                         ///< "4", or of many values "4..7"
   std::vector<std::optional<PointsMean>> means{};  ///< by ReportedSweep::led
 };
 std::vector<KnobMean> knob_means(const ReportedSweep& sweep);

@@ -101,6 +101,24 @@ TEST(KnobEffects, EtaSquaredIsTheShareBetweenGroups) {
   EXPECT_FALSE(eta_squared({{2}, {2}}));
 }
 
+TEST(KnobEffects, ManyValuesAreLookedAtInGroups) {
+  ReportFolder folder(
+      "[frames]\nsample = 2\nguard = 0\n[search]\nmethod = \"sobol\"\npoints = 64\n"
+      "[knobs]\nhurry_threshold = { from = 0, to = 639 }\nbisection = [\"pow2\", \"midpoint\"]\n");
+  folder.put_all(2);
+  const SweepReader reader(folder.path());
+  int groups = 0, points = 0;
+  for (const KnobMean& mean : knob_means(reader.sweep())) {
+    if (mean.knob != "hurry_threshold") continue;
+    ++groups;
+    EXPECT_THAT(mean.value, HasSubstr(".."));
+    points += mean.means[0]->points;
+    EXPECT_GE(mean.means[0]->points, 7);
+  }
+  EXPECT_EQ(groups, 8);
+  EXPECT_EQ(points, folder.points()) << "each point is in one of them";
+}
+
 TEST(RepeatCommand, NamesTheKnobsThatAreNotTheScenes) {
   ReportFolder folder(
       "[frames]\nsample = 4\nguard = 0\n[[point]]\nname = \"it's\"\n"

@@ -149,8 +149,17 @@
   }
   function draw_front() {
     const x = by_id("front-x").value, y = by_id("front-y").value;
+    // As wide as the points lie, with room for the usual interval: a few wide ones are cut
+    const domain = (figure) => {
+      const there = points.filter((at) => figure.value[at] !== null);
+      const values = there.map((at) => figure.value[at]);
+      const halves = there.map((at) => half_of(figure, at)).sort((a, b) => a - b);
+      const low = Math.min(...values), high = Math.max(...values);
+      const more = Math.min(halves[halves.length >> 1], 1.5 * (high - low) || Infinity);
+      return [low - more, high + more];
+    };
     const axis = (name) => ({ type: "quantitative", title: title_of(name),
-      scale: { zero: false, nice: false, padding: 14 }, axis: { tickCount: 8 } });
+      scale: { zero: false, nice: false, padding: 14, domain: domain(figures.get(name)) }, axis: { tickCount: 8 } });
     const { color, shape } = standing_scales();
     const faded = (strong) => ({ condition: { test: "datum.on", value: strong }, value: 0.08 });
     const goals = data.goals.includes(x) && data.goals.includes(y) &&
@@ -160,7 +169,7 @@
       ["low", "high", { y: { field: "low", ...axis(y) }, y2: { field: "high" }, x: { field: "x", ...axis(x) } }],
     ].filter(([from, to]) => front_rows().some((row) => row[from] !== row[to]))
       .map(([, , encoding]) => ({
-        mark: { type: "rule", strokeWidth: 1.2, aria: false },
+        mark: { type: "rule", strokeWidth: 1.2, clip: true, aria: false },
         encoding: { ...encoding, color, opacity: faded(0.45) },
       }));
     return draw("front-chart", {
