@@ -82,7 +82,7 @@ TEST_F(CliSweepFaults, OfEveryMethodSceneAndGoalAreInOneList) {
     const char* fault;  ///< "": none
   };
   const Choice methods[] = {
-      {"grid", ""}, {"one-by-one", ""}, {"sobol", ""}, {"nsga2", "'method' is 'nsga2'"}};
+      {"grid", ""}, {"one-by-one", ""}, {"sobol", ""}, {"nsga3", "'method' is 'nsga3'"}};
   const Choice scenes[] = {{"demo", ""}, {"my.toml", ""}, {"no.toml", "unknown scene 'no.toml'"}};
   const Choice goals[] = {{"busy = \"min\"", ""},
                           {"picture_error = { most = \"1 %\" }", ""},
