@@ -169,6 +169,8 @@
       ["low", "high", { y: { field: "low", ...axis(y) }, y2: { field: "high" }, x: { field: "x", ...axis(x) } }],
     ].filter(([from, to]) => front_rows().some((row) => row[from] !== row[to]))
       .map(([, , encoding]) => ({
+        // Of many points only the base and the front have room for theirs
+        transform: points.length > 100 ? [{ filter: "datum.front || datum.point === 0" }] : [],
         mark: { type: "rule", strokeWidth: 1.2, clip: true, aria: false },
         encoding: { ...encoding, color, opacity: faded(0.45) },
       }));
@@ -216,7 +218,7 @@
     const { color, dash } = standing_scales({ symbolType: "stroke", symbolSize: 500, symbolStrokeWidth: 2 });
     const ends = axes().flatMap((axis) => {
       const word = (value) => (axis.words ? axis.words[value] : shown(value));
-      const all = axis.words ? axis.words.map((text, at) => [at, text])
+      const all = axis.words && axis.words.length <= 16 ? axis.words.map((text, at) => [at, text])
         : [[axis.low, word(axis.low)], [axis.high, word(axis.high)]];
       return all.filter(([value], at) => at === 0 || axis.high !== axis.low).map(([value, text]) => ({
         axis: axis.name, text,
