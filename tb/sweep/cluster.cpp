@@ -176,7 +176,7 @@ bool Cluster::leave(const ClusterRung& rung) {
 
 std::optional<Cluster::States> Cluster::states(const ClusterRung& rung) {
   std::string why;
-  const auto states = slurm_->states(job_name(plan_.file.name, rung.plan()), why);
+  const auto states = slurm_->states(job_name(plan_.file.name, rung.plan()), rung.blocks(), why);
   if (!states && !answered_)
     throw MissingTool("Slurm does not answer; without it: racebeam sweep run ... --jobs N; " + why);
   if (!states && !complained_) tell("Slurm does not answer, which is waited for; " + why);

@@ -55,20 +55,33 @@ std::string ranges_text(const std::vector<int>& numbers) {
   return text;
 }
 
-std::map<int, TaskState> task_states(const std::string& lines) {
-  std::map<int, std::pair<long, TaskState>> newest;
+std::map<int, TaskState> task_states(const std::string& lines, int tasks) {
+  struct Word {
+    long job = 0;
+    TaskState state = TaskState::Ended;
+  };
+  std::map<int, Word> newest;
+  Word never_begun;
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     long job = 0;
-    int task = 0;
-    std::string state;
+    std::string task, state;
     if (!(words >> job >> task >> state)) continue;
-    const auto at = newest.find(task);
-    if (at == newest.end() || at->second.first <= job) newest[task] = {job, state_of(state)};
+    const bool all = task == "N/A";
+    if (!all && task.find_first_not_of("0123456789") != std::string::npos) continue;
+    Word& word = all ? never_begun : newest[std::stoi(task)];
+    if (word.job <= job) word = {job, state_of(state)};
   }
   std::map<int, TaskState> states;
-  for (const auto& [task, word] : newest) states[task] = word.second;
+  for (const auto& [task, word] : newest) states[task] = word.state;
+  if (never_begun.state != TaskState::Cancelled) return states;
+  for (int task = 0; task < tasks; ++task) {
+    const auto at = newest.find(task);
+    if (at == newest.end() ||
+        (at->second.state != TaskState::Live && at->second.job < never_begun.job))
+      states[task] = TaskState::Cancelled;
+  }
   return states;
 }
 
@@ -118,11 +131,11 @@ std::optional<std::string> Slurm::submit(const Job& job, std::string& why) const
   return last.substr(0, last.find(';'));
 }
 
-std::optional<std::map<int, TaskState>> Slurm::states(const std::string& name,
+std::optional<std::map<int, TaskState>> Slurm::states(const std::string& name, int tasks,
                                                       std::string& why) const {
   const ToolResult result =
       run({"squeue", "-h", "-r", "--me", "-t", "all", "--name=" + name, "-o", "%F %K %T"});
-  if (result.good) return task_states(result.said);
+  if (result.good) return task_states(result.said, tasks);
   why = "squeue: " + result.said;
   return {};
 }

@@ -16,8 +16,9 @@ enum class TaskState { Live, Cancelled, Ended };
 
 /// "0-2,5" of sorted numbers.
 std::string ranges_text(const std::vector<int>& numbers);
-/// The newest job's word on each task, of lines "JOB TASK STATE"; others are skipped.
-std::map<int, TaskState> task_states(const std::string& lines);
+/// The newest job's word on each of so many tasks, of lines "JOB TASK STATE"; others are skipped.
+/// The task N/A is all that a job never began: cancelled, it has no line for each.
+std::map<int, TaskState> task_states(const std::string& lines, int tasks);
 /// One word for a shell.
 std::string shell_quoted(const std::string& word);
 
@@ -41,7 +42,8 @@ class Slurm {
   std::optional<std::string> submit(const Job& job, std::string& why) const;
 
   /// Of all jobs of this name that it remembers; nothing, with `why`, if it does not answer.
-  std::optional<std::map<int, TaskState>> states(const std::string& name, std::string& why) const;
+  std::optional<std::map<int, TaskState>> states(const std::string& name, int tasks,
+                                                 std::string& why) const;
 };
 
 }  // namespace racebeam

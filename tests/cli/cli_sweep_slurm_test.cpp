@@ -32,8 +32,8 @@ class CliSweepSlurmTest : public CliSweepTest {
     EXPECT_EQ(cluster->stop(), 0) << "processes are left";
   }
 
-  static Words on_slurm(const Words& more = {}) {
-    Words words = {"sweep", "run", "s.toml", "-o", "out", "--on", "slurm", "--tasks", "100"};
+  static Words on_slurm(const Words& more = {}, const std::string& tasks = "100") {
+    Words words = {"sweep", "run", "s.toml", "-o", "out", "--on", "slurm", "--tasks", tasks};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -90,13 +90,13 @@ TEST_F(CliSweepSlurmTest, ACommandThatDidNotWaitCollectsLater) {
 }
 
 TEST_F(CliSweepSlurmTest, ACancelledArrayGoesOnWithTheSameCommand) {
-  Program run(folder.path(), on_slurm());
-  wait_for_blocks(5);
+  Program run(folder.path(), on_slurm({}, "10"));
+  wait_for_blocks(2);
   SlurmCluster::run("scancel --user=$(id -un)");
   EXPECT_EQ(run.wait(), 130) << run.err();
   EXPECT_THAT(run.err(), AllOf(HasSubstr("blocks cancelled: "), HasSubstr("frames are kept")));
-  EXPECT_LT(begun(), 100);
-  expect(on_slurm(), 0);
+  EXPECT_LT(begun(), 10);
+  expect(on_slurm({}, "10"), 0);
   expect_whole();
 }
 
