@@ -113,7 +113,7 @@ const std::vector<CompareGroup>& common_groups() {
   static const std::vector<std::string> block = {"block.cores=1", "block.size=512x480"};
   static const std::vector<CompareGroup> groups = {
       {"own scenes",
-       {{"demo", 5000}, {"sphere/four"}, {"block/forty", 0, {"block.cores=1"}}, {"voxel/hills"}}},
+       {{"voxel/hills"}, {"demo", 5000}, {"sphere/four"}, {"block/forty", 0, {"block.cores=1"}}}},
       {"common/hall", {{"common/hall"}}},
       {"common/balls", {{"common/balls", 0, block}}},
       {"common/rising-1", {{"common/rising-1", 0, block}}},

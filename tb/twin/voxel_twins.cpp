@@ -19,8 +19,24 @@ LegalInputs voxel_inputs_of(const voxel_knobs& k) {
   const auto below = [](int end) {
     return [end = static_cast<Raw>(end)](Raw raw) { return raw % end; };
   };
+  // Mostly as a ray in the world has it; any at times.
+  constexpr Raw Seldom = 8;
+  const auto mostly_below = [](int end) {
+    return
+        [end = static_cast<Raw>(end)](Raw raw) { return raw % Seldom ? raw / Seldom % end : raw; };
+  };
+  constexpr int SmallRectangle = 12;  // columns: a larger one takes too long to build
+  constexpr int Way = 64 << VoxelPositionFraction, Step = 2 << VoxelPositionFraction;
   return LegalInputs({
       {"level_i", below(voxel_levels(k).count())},
+      {"rect_x_low_i", mostly_below(SmallRectangle)},
+      {"rect_y_low_i", mostly_below(SmallRectangle)},
+      {"rect_x_high_i", mostly_below(SmallRectangle)},
+      {"rect_y_high_i", mostly_below(SmallRectangle)},
+      {"origin_z_i", mostly_below(k.size_z << VoxelPositionFraction)},
+      {"t_from_i", mostly_below(Way)},
+      {"t_to_i", mostly_below(Way)},
+      {"step_i", mostly_below(Step)},
       {"y_i", [](Raw raw) { return static_cast<Raw>(FirstLine) + raw % FrameLines; }},
   });
 }

@@ -103,7 +103,7 @@ TEST_F(CliVoxelTest, TracesThePixelsOfAPicture) {
 
 TEST_F(CliVoxelTest, JudgesPicturesByExactColumns) {
   EXPECT_THAT(run({"render", "voxel/tiny", "--golden", "compare"}),
-              HasSubstr("the chip beside double precision\npixels                       3072"));
+              HasSubstr("the chip beside double precision\npixels                         3072"));
 }
 
 TEST_F(CliVoxelTest, NewScenesAreGood) {
