@@ -22,6 +22,7 @@
 #include "sc/sphere/sphere_shader_core.h"
 #include "sc/sphere/sphere_table_core.h"
 #include "sc/store/write_buffer.h"
+#include "sc/voxel/knobs.h"
 #include "tb/base/errors.h"
 #include "tb/report/area_figures.h"
 #include "tb/report/compare_kinds.h"
@@ -148,8 +149,11 @@ TEST(CompareTables, AFormulaOfWhatIsNotThereHasNoValue) {
 TEST(CompareTables, AreaIsOfTheChipWithItsOwnParameters) {
   block_knobs one_core;
   one_core.cores = 1;
-  for (const knob_values& k :
-       {knob_values(knobs()), knob_values(sphere_knobs()), knob_values(one_core)}) {
+  voxel_knobs hills;
+  hills.size_x = hills.size_y = 512;
+  hills.size_z = 128;
+  for (const knob_values& k : {knob_values(knobs()), knob_values(sphere_knobs()),
+                               knob_values(one_core), knob_values(hills)}) {
     const engine* const built = &engine_of(k);
     const AreaFigures* const area = area_of(k);
     ASSERT_NE(area, nullptr) << built->name;
