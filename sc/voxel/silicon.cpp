@@ -34,7 +34,9 @@ silicon voxel_silicon(const knob_values& values, const scene_tables*) {
        bits(static_cast<std::uint64_t>(store.write_buffer_depth),
             store.address_bits() + store.data_bits())},
       {"frame store", memory_row::Picture,
-       bits(std::uint64_t{1} << store.address_bits(), PixelBits)},
+       bits(static_cast<std::uint64_t>(k.picture_width) *
+                static_cast<std::uint64_t>(k.picture_height),
+            PixelBits)},
       {"palette", memory_row::Scene, bits(VoxelPaletteEntries, VoxelColourBits)},
       {"columns", memory_row::Scene,
        bits(static_cast<std::uint64_t>(k.size_x) * static_cast<std::uint64_t>(k.size_y),

@@ -114,7 +114,7 @@ const std::vector<CompareGroup>& common_groups() {
   static const std::vector<CompareGroup> groups = {
       {"own scenes",
        {{"voxel/hills"}, {"demo", 5000}, {"sphere/four"}, {"block/forty", 0, {"block.cores=1"}}}},
-      {"common/hall", {{"common/hall"}}},
+      {"common/hall", {{"common/hall", 0, {"voxel.leaf=voxel"}}}},
       {"common/balls", {{"common/balls", 0, block}}},
       {"common/rising-1", {{"common/rising-1", 0, block}}},
       {"common/rising-2", {{"common/rising-2", 0, block}}},
