@@ -37,21 +37,9 @@ void tlm_block::advance(std::int64_t clock) {
 }
 
 void tlm_block::access_host(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
-  payload.set_dmi_allowed(false);
-  tlm::tlm_response_status status = whole_words(payload);
-  const std::uint64_t begin = payload.get_address(), end = begin + payload.get_data_length();
-  std::uint8_t* data = payload.get_data_ptr();
-  for (std::uint64_t at = begin; at < end && status == tlm::TLM_OK_RESPONSE; at += WordBytes)
-    if (!read_host(at).known) status = tlm::TLM_ADDRESS_ERROR_RESPONSE;
-  for (std::uint64_t at = begin; at < end && status == tlm::TLM_OK_RESPONSE;
-       at += WordBytes, data += WordBytes) {
-    catch_up(delay);
-    if (payload.is_read()) put_word(data, read_host(at).value);
-    else if (payload.is_write() && !write_host(at, get_word(data)))
-      status = tlm::TLM_COMMAND_ERROR_RESPONSE;
-    delay += period_;
-  }
-  payload.set_response_status(status);
+  access_words(
+      payload, delay, [this](std::uint64_t address) { return read_host(address); },
+      [this](std::uint64_t address, std::uint32_t value) { return write_host(address, value); });
 }
 
 const float* tlm_block::number(std::uint64_t address) const {

@@ -89,6 +89,27 @@ class tlm_picture_chip : public sc_core::sc_module {
   /// A counter of 64 bits, a word at a time.
   static word counter_word(const std::vector<std::uint64_t>& values, std::uint64_t at);
   static word knob_word(const knob_values& values, std::uint64_t at);
+  /// A host's access to words, a clock each: `read(address)`, `write(address, value)`, whether it
+  /// was taken.
+  template <class Read, class Write>
+  void access_words(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay, Read&& read,
+                    Write&& write) {
+    payload.set_dmi_allowed(false);
+    tlm::tlm_response_status status = whole_words(payload);
+    const std::uint64_t begin = payload.get_address(), end = begin + payload.get_data_length();
+    std::uint8_t* data = payload.get_data_ptr();
+    for (std::uint64_t at = begin; at < end && status == tlm::TLM_OK_RESPONSE; at += WordBytes)
+      if (!read(at).known) status = tlm::TLM_ADDRESS_ERROR_RESPONSE;
+    for (std::uint64_t at = begin; at < end && status == tlm::TLM_OK_RESPONSE;
+         at += WordBytes, data += WordBytes) {
+      catch_up(delay);
+      if (payload.is_read()) put_word(data, read(at).value);
+      else if (payload.is_write() && !write(at, get_word(data)))
+        status = tlm::TLM_COMMAND_ERROR_RESPONSE;
+      delay += period_;
+    }
+    payload.set_response_status(status);
+  }
   template <class Read>
   static unsigned peek(tlm::tlm_generic_payload& payload, Read&& read) {
     if (!payload.is_read() || payload.get_address() % WordBytes) return 0;

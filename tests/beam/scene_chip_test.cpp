@@ -10,7 +10,6 @@
 #include "tb/bench/signal_bench.h"
 #include "tb/golden/golden_picture.h"
 #include "tb/scene/camera_path.h"
-#include "tb/scene/scene_reader.h"
 #include "tb/show/show.h"
 #include "tests/support/core_picture.h"
 #include "tests/support/room_scenes.h"
@@ -19,19 +18,13 @@
 namespace racebeam {
 namespace {
 
-SceneFile scene_of(const std::string& name) {
-  SceneResult result = read_scene_file(RACEBEAM_SOURCE_DIR "/scenes/" + name + ".toml");
-  EXPECT_TRUE(result.faults.none()) << result.faults.text(name);
-  return std::move(result.scene);
-}
-
 /// Full pattern shows the rays; partial pattern disturbs the tracer (golden_picture.h).
 bool shows_rooms(const GoldenWorld& world) { return world.lock == GoldenLock::None; }
 
 class EveryScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScene, FliesWhereTheFileSays) {
-  const SceneFile scene = scene_of(GetParam());
+  const SceneFile scene = room_scene(GetParam());
   const CameraPath path = fly(scene);
   const Show show(scene, "");
   const knobs k = show.standard_knobs();
@@ -47,7 +40,7 @@ TEST_P(EveryScene, FliesWhereTheFileSays) {
 
 /// Compares frames evenly spread over a scene.
 void expect_chip_equals_trace_4(const std::string& scene, int samples) {
-  const Show show(scene_of(scene), "");
+  const Show show(room_scene(scene), "");
   const knobs k = unlimited(show.standard_knobs());
   int compared = 0;
   for (int i = 0; i < samples; ++i) {
@@ -67,7 +60,7 @@ TEST_P(EveryScene, WithoutLimitsIsTheIntervalTracerPixelForPixel) {
 }
 
 TEST_P(EveryScene, IsTheSameInSystemCAndInALoop) {
-  const Show show(scene_of(GetParam()), "");
+  const Show show(room_scene(GetParam()), "");
   const knobs k = show.standard_knobs();
   SignalBench bench({k, false, false, false, show.program()});
   const int frame = show.frames() / 3;

@@ -11,7 +11,6 @@
 #include "sc/beam/tlm/line_raster.h"
 #include "tb/bench/core_bench.h"
 #include "tb/bench/tlm_bench.h"
-#include "tb/scene/scene_reader.h"
 #include "tb/show/demo_parts.h"
 #include "tb/show/show.h"
 #include "tests/support/expect_stats.h"
@@ -48,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Demo, TlmDemoPart,
 class TlmScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(TlmScene, HasThePixelsPinsAndCountersOfTheCores) {
-  const Show show(read_scene_file(room_scene_file(GetParam())).scene, "");
+  const Show show(room_scene(GetParam()), "");
   const knobs k = show.standard_knobs();
   TlmBench bench({k, true, true, false, show.program()});
   for (const int frame : {show.frames() / 3, show.frames() - 1})

@@ -4,12 +4,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "sc/beam/engine.h"
+#include "tb/scene/beam_scene.h"
 #include "tb/scene/scene_kinds.h"
 
 namespace racebeam {
@@ -29,8 +32,11 @@ inline std::vector<std::string> room_scenes() {
   return names;
 }
 
-inline std::string room_scene_file(const std::string& name) {
-  return RACEBEAM_SOURCE_DIR "/scenes/" + name + ".toml";
+/// Without faults; without what the file has for other engines.
+inline SceneFile room_scene(const std::string& name) {
+  const AnySceneResult read = read_any_scene_file(RACEBEAM_SOURCE_DIR "/scenes/" + name + ".toml");
+  EXPECT_TRUE(read.faults.none()) << read.faults.text(name);
+  return static_cast<const BeamScene&>(*read.scene).file;
 }
 
 }  // namespace racebeam
