@@ -100,8 +100,9 @@ TEST(CliBench, EnginesAreComparedAtEachLevelWithTheFirst) {
     EXPECT_DOUBLE_EQ(row.at("ratio").get<double>(),
                      rate / beside->at("clocks_per_second").get<double>());
   }
-  EXPECT_THAT(names, testing::ElementsAre("beam: tlm", "beam: signal", "sphere: tlm",
-                                          "sphere: signal", "block: tlm", "block: signal"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("beam: tlm", "beam: signal", "sphere: tlm", "sphere: signal",
+                                   "block: tlm", "block: signal", "voxel: tlm", "voxel: signal"));
 }
 
 // A part that takes seconds. How fast it is depends on the machine: a goal that is missed is no
