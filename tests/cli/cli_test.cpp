@@ -290,7 +290,7 @@ TEST_F(CliTest, DoctorIsGoodHere) {
   const auto json = program.json();
   EXPECT_EQ(json.at("versions").at("racebeam"), RACEBEAM_VERSION);
   EXPECT_EQ(json.at("checks").size(), 7);
-  EXPECT_EQ(json.at("tools").size(), 4);
+  EXPECT_EQ(json.at("tools").size(), 6);
 }
 
 TEST_F(CliTest, DoctorEndsWith3WhenSomethingRequiredIsMissing) {
