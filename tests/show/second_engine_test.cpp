@@ -59,7 +59,8 @@ TEST(SceneKinds, TheKeyChoosesTheReader) {
 
 TEST(SceneKinds, AnUnknownEngineIsAFaultWithItsPlace) {
   EXPECT_EQ(faults_in("engine = \"bean\"\n"),
-            "f:1:10: 'engine' is 'bean'\n  help: it must be one of beam, sphere, block, voxel, scratch\n");
+            "f:1:10: 'engine' is 'bean'\n  help: it must be one of beam, sphere, block, voxel, "
+            "scratch\n");
 }
 
 TEST(SceneKinds, AReaderHasKeysOfItsOwn) {
