@@ -72,7 +72,6 @@ TEST_F(CliSweepFaults, ASearchWithoutPointsOrWithTooManyIsNamed) {
 TEST_F(CliSweepFaults, MeasuresThatThereAreNotYetAreUnknownValues) {
   EXPECT_THAT(refusal("[measure]\nsilicon = \"osu018\"\n"),
               HasSubstr("s.toml:2:11: 'silicon' is 'osu018'"));
-  EXPECT_THAT(refusal("[measure]\ntiming = \"all\"\n"), HasSubstr("'timing' is 'all'"));
 }
 
 // Each is good or bad by itself, whatever the others are.

@@ -66,6 +66,8 @@ class CliSweepSearch : public CliSweepTest {
 };
 
 // Guard frames have longer lines than the sample: the search must not be told of them.
+using LongCliSweepSearch = CliSweepSearch;
+
 TEST_F(CliSweepSearch, StoppedAnywhereItGoesOnWithTheSamePointsAndFrames) {
   expect({"scene", "new", "room.toml"}, 0);
   std::string text = "scenes = [\"room.toml\"]\n" + Knobs + search(8, 4);
@@ -92,7 +94,7 @@ TEST_F(CliSweepSearch, StoppedAnywhereItGoesOnWithTheSamePointsAndFrames) {
   }
 }
 
-TEST_F(CliSweepSearch, ItsFrontIsNotWorseThanSobolsOfAsManyPoints) {
+TEST_F(LongCliSweepSearch, ItsFrontIsNotWorseThanSobolsOfAsManyPoints) {
   write(Knobs + search(16, 5));
   expect_run("searched");
   const auto count = figure("searched", "decisions").size() - 1;
