@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "sc/base/engine.h"
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_report.h"
+#include "tb/twin/unit_under_test.h"
 
 namespace racebeam {
 
@@ -34,14 +34,6 @@ struct UnitVerdict {
   double seconds = 0;
   std::optional<FirstDifference> first;
   std::string fault;  ///< what ended the RTL before the comparison was over; or empty
-};
-
-/// A unit and what its twins are made for.
-struct UnitUnderTest {
-  std::string unit, plugin;  ///< plugin: empty for the unit's own RTL
-  knob_values k;
-  const scene_tables* scene;  ///< for units that show scene files
-  int frames;                 ///< of the show
 };
 
 /// What drives a unit alone: RandomTraffic, or the UnitWalk of its engine's row.
