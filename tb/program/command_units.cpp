@@ -12,6 +12,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
 #include "tb/program/common_options.h"
+#include "tb/program/unit_areas.h"
 #include "tb/scene/engines.h"
 #include "tb/show/open_show.h"
 
@@ -63,6 +64,14 @@ std::string json_table(const engine& one) {
 
 int command_units(const UnitsOptions& options) {
   const engine& one = options.engine.empty() ? *engines().front() : engine_named(options.engine);
+  if (!options.area && !options.units.empty())
+    throw UsageError("units takes names of units with --area only; write racebeam units --area " +
+                     options.units.front());
+  if (options.area) {
+    const std::vector<UnitArea> areas = areas_of(one, options.units);
+    print(options.json ? area_json(one, areas) : area_table(areas));
+    return ExitGood;
+  }
   print(options.json ? json_table(one) : table(one));
   return ExitGood;
 }
@@ -70,7 +79,13 @@ int command_units(const UnitsOptions& options) {
 namespace {
 
 void add_options(const CommandOptions& command, UnitsOptions& options) {
+  command
+      .add_option("unit", options.units,
+                  "Units whose gates are counted, and the whole chip's name; all if none is given")
+      .type_name("UNIT");
   add_engine_option(command, options.engine, "Of this engine");
+  command.add_flag("--area", options.area,
+                   "Flip-flops, cells, area and slack as gates of osu018: yosys, OpenSTA");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }
 

@@ -24,6 +24,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/project_folder.h"
 #include "tb/show/open_show.h"
+#include "tb/verilate/gate_netlist.h"
 #include "tb/verilate/source_list.h"
 
 namespace racebeam {
@@ -68,7 +69,8 @@ std::vector<std::string> files_of(const std::string& word) {
     return all;
   }
   const std::string unit = word.substr(0, equals);
-  const std::string text = equals == std::string::npos ? rtl_file(unit) : word.substr(equals + 1);
+  std::string text = equals == std::string::npos ? rtl_file(unit) : word.substr(equals + 1);
+  if (const auto gates = gate_word(text)) text = gates->file.empty() ? rtl_file(unit) : gates->file;
   return is_source_list(text) ? files_of_list(unit, text) : std::vector<std::string>{text};
 }
 

@@ -6,48 +6,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
 
-#include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
 #include "tb/sweep/sweep_kinds.h"
 #include "tb/sweep/unit_sources.h"
 #include "tb/verilate/cache_folder.h"
-#include "tb/verilate/run_tool.h"
 
 namespace racebeam {
 
 namespace {
-
-constexpr auto VersionLimit = std::chrono::seconds(60);
-
-std::string yosys_version() {
-  ToolResult answer{};
-  run_tools({{{"yosys", "-V"}, "", {}, {}}}, 1, VersionLimit,
-            [&answer](std::size_t, const ToolResult& result) { answer = result; });
-  const std::string line = answer.said.substr(0, answer.said.find('\n'));
-  if (answer.late) throw MissingTool("yosys does not answer; does `yosys -V` end?");
-  if (!answer.good || line.rfind("Yosys ", 0) != 0)
-    throw MissingTool("yosys does not say its version: " + line);
-  return line;
-}
 
 std::string text_of(const rtl_parameter& parameter) {
   return parameter.name + "=" + std::to_string(parameter.value);
 }
 
 }  // namespace
-
-std::string recipe_file(const std::string& script) {
-  std::error_code error;
-  const std::string file = project_folder() + "/scripts/" + script;
-  if (!std::filesystem::exists(file, error))
-    throw MissingTool("racebeam is installed without its RTL: there is no " + file +
-                      "; `cmake --install BUILD --component rtl` adds it");
-  return file;
-}
 
 std::string UnitParameters::text() const {
   return settings.empty() ? unit : fmt::format("{} with {}", unit, fmt::join(settings, " "));

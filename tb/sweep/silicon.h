@@ -15,14 +15,12 @@
 
 #include "sc/base/engine.h"
 #include "sc/swap/rtl_parameters.h"
+#include "tb/verilate/yosys.h"
 
 namespace racebeam {
 
 constexpr const char* GenericRecipe = "generic";  ///< that of scripts/netlist --count
 constexpr const char* Sound = "pwm_sound";
-
-/// The script that has the recipe, or another one. Throws MissingTool.
-std::string recipe_file(const std::string& script = "netlist");
 
 /// A unit's synthesis: all that its result depends on.
 struct UnitParameters {

@@ -61,11 +61,16 @@ void PluginMaker::tell_missing(const std::string& text, const std::vector<Settin
       tell(text + " has no parameter " + setting.name + "; " + setting.what + " does not reach it");
 }
 
-std::string PluginMaker::own(const std::string& unit, bool open) const {
+RtlSources PluginMaker::own_with_settings(const std::string& unit) const {
   expect_rtl_of(unit, {});
   RtlSources sources = own_sources(unit);
   for (const Setting& setting : settings(unit))
     sources.parameters.push_back(setting.name + "=" + setting.value);
+  return sources;
+}
+
+std::string PluginMaker::own(const std::string& unit, bool open) const {
+  RtlSources sources = own_with_settings(unit);
   sources.signals = traced_ || open;
   return rtl_plugin(sources);
 }
@@ -80,6 +85,12 @@ std::string PluginMaker::users(const std::string& unit, const std::string& text,
   }
   RtlSources sources = read_source_list(unit, text);
   sources.signals = traced_ || open;
+  set(sources, text);
+  return rtl_plugin(sources);
+}
+
+void PluginMaker::set(RtlSources& sources, const std::string& text) const {
+  const std::string unit = sources.top;
   const RtlSyntax syntax = read_rtl_syntax(sources);
   for (const RtlSyntax::Place& call : syntax.calls)
     tell(call.file + ":" + std::to_string(call.line) + ": " + call.name +
@@ -91,7 +102,21 @@ std::string PluginMaker::users(const std::string& unit, const std::string& text,
   for (const Setting& own : settings_of_unit(unit))
     if (known.count(own.name) != 0) sources.parameters.push_back(own.name + "=" + own.value);
   tell_missing(text, settings(unit), known);
-  return rtl_plugin(sources);
+}
+
+RtlSources PluginMaker::gate_sources(const std::string& unit, const GateWord& word) const {
+  if (word.file.empty()) return own_with_settings(unit);
+  RtlSources sources = read_source_list(unit, word.file);
+  set(sources, word.file);
+  return sources;
+}
+
+GateNetlist PluginMaker::netlist(const std::string& unit, const GateWord& word) const {
+  return gate_netlist(gate_sources(unit, word), word.kind);
+}
+
+std::string PluginMaker::gates(const std::string& unit, const GateWord& word, bool open) const {
+  return rtl_plugin(simulated_gates(gate_sources(unit, word), word.kind, traced_ || open));
 }
 
 std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources) {

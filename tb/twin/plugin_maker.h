@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sc/swap/rtl_parameters.h"
+#include "tb/verilate/gate_netlist.h"
 #include "tb/verilate/rtl_sources.h"
 
 namespace racebeam {
@@ -36,8 +37,19 @@ class PluginMaker {
   /// The plug-in of a user's RTL: a .so as it is, files as read_source_list() takes them verilated
   /// if need be. Tells what does not reach it. Throws UsageError, and as own() does.
   std::string users(const std::string& unit, const std::string& text, bool open = false) const;
+  /// The plug-in of gates of a unit's own RTL or of a user's, made and verilated if need be; it
+  /// tells what does not reach a user's. Throws as own() does.
+  std::string gates(const std::string& unit, const GateWord& word, bool open = false) const;
+  /// The gates themselves. Throws as own() does.
+  GateNetlist netlist(const std::string& unit, const GateWord& word) const;
 
  private:
+  /// A unit's own RTL, with its parameters.
+  RtlSources own_with_settings(const std::string& unit) const;
+  /// What becomes gates, with its parameters.
+  RtlSources gate_sources(const std::string& unit, const GateWord& word) const;
+  /// Sets the parameters of a user's RTL, and tells what does not reach it.
+  void set(RtlSources& sources, const std::string& text) const;
   std::vector<Setting> settings_of_unit(const std::string& unit) const;
   /// Throws RtlError if of `unit` only the model has a wanted value, and its RTL no such parameter.
   void expect_rtl_of(const std::string& unit,

@@ -20,7 +20,12 @@ namespace racebeam {
 
 namespace {
 
-constexpr const char* Beside = "lockstep:";  ///< before a file
+constexpr const char* Beside = "lockstep:";  ///< before a file or gates
+
+/// What comes after "lockstep:", or the text itself.
+std::string without_beside(const std::string& text) {
+  return text.rfind(Beside, 0) == 0 ? text.substr(std::string(Beside).size()) : text;
+}
 
 /// Says what the contract does not know and what may be computed wrongly.
 std::string checked(const std::string& plugin) {
@@ -33,7 +38,13 @@ std::string checked(const std::string& plugin) {
 }  // namespace
 
 const std::vector<std::string>& own_implementations() {
-  static const std::vector<std::string> words = {"model", "rtl", "lockstep"};
+  static const std::vector<std::string> words = {"model",
+                                                 "rtl",
+                                                 "lockstep",
+                                                 "gates",
+                                                 "gates:osu018",
+                                                 "lockstep:gates",
+                                                 "lockstep:gates:osu018"};
   return words;
 }
 
@@ -70,44 +81,50 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   const bool open = unit == engine_.top;  // the check of its wiring looks at the units inside
   if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit, open)};
   if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit, open)};
-  const bool beside = text.rfind(Beside, 0) == 0;
-  const std::string file = beside ? text.substr(std::string(Beside).size()) : text;
+  const std::string file = without_beside(text);
+  const bool beside = file.size() < text.size();
+  const auto driver = beside ? unit_choice::Model : unit_choice::Rtl;
+  if (const auto gates = gate_word(file))
+    return {driver, beside, checked(plugins_.gates(unit, *gates, open))};
   if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
-    return {beside ? unit_choice::Model : unit_choice::Rtl, beside,
-            checked(plugins_.users(unit, file, open))};
+    return {driver, beside, checked(plugins_.users(unit, file, open))};
   std::vector<std::string> known = own_implementations();
-  for (const char* file :
-       {"FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER", "FILE.so", "lockstep:FILE.sv"})
+  for (const char* file : {"gates:FILE.sv", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
+                           "FILE.so", "lockstep:FILE.sv"})
     known.emplace_back(file);
   throw unknown_name("implementation", text, known);
 }
 
-void UseOption::use_one(unit_choices& choices, const std::string& text) const {
+void UseOption::use_one(unit_choices& choices, const std::string& text, bool beside) const {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
     throw UsageError("'" + text +
-                     "' is not of the form UNIT=model, UNIT=rtl, UNIT=lockstep or "
+                     "' is not of the form UNIT=model, UNIT=rtl, UNIT=lockstep, UNIT=gates or "
                      "UNIT=FILE.sv");
   const std::string unit = text.substr(0, equals), how = text.substr(equals + 1);
   if (unit != AllUnits) {
-    if (unit == engine_.top) check_whole_chip(how);
+    if (unit == engine_.top) check_whole_chip(how, beside);
     else check_unit(unit);
     choices.by_unit[unit] = choice_of(unit, how);
     return;
   }
-  if (how != "model" && how != "rtl" && how != "lockstep")
-    throw UsageError("all=" + how + ": all units can be model, rtl or lockstep; a file is for one");
+  const auto gates = gate_word(without_beside(how));
+  if ((!gates || !gates->file.empty()) && how != "model" && how != "rtl" && how != "lockstep")
+    throw UsageError("all=" + how +
+                     ": all units can be model, rtl, lockstep, gates, gates:osu018, "
+                     "lockstep:gates or lockstep:gates:osu018; a file is for one");
   for (const std::string& each : engine_.unit_names(scene_file_))
     choices.by_unit[each] = choice_of(each, how);
-  if (how == "lockstep" && wired_) choices.by_unit[engine_.top] = choice_of(engine_.top, how);
+  if ((beside || how.rfind("lockstep", 0) == 0) && wired_)
+    choices.by_unit[engine_.top] = choice_of(engine_.top, how);
 }
 
-void UseOption::check_whole_chip(const std::string& how) const {
-  if (how == "model" || how == "rtl")
+void UseOption::check_whole_chip(const std::string& how, bool beside) const {
+  if (how == "model" || how == "rtl" || (!beside && gate_word(how)))
     throw UsageError(fmt::format(
         "{0} is all units in RTL and their wires: it runs beside the chip only, as {0}=lockstep; "
-        "for RTL in the chip write all=rtl",
-        engine_.top));
+        "for {1} in the chip write all={2}",
+        engine_.top, gate_word(how) ? "gates" : "RTL", gate_word(how) ? how : "rtl"));
   if (!wired_)
     throw UsageError(
         std::string(engine_.top) +
@@ -116,14 +133,15 @@ void UseOption::check_whole_chip(const std::string& how) const {
 
 void UseOption::use(unit_choices& choices, const std::string& text) const {
   std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) use_one(choices, part);
+  for (std::string part; std::getline(parts, part, ',');) use_one(choices, part, false);
 }
 
 void UseOption::lockstep(unit_choices& choices, const std::string& text) const {
-  if (text.find('=') == std::string::npos) return use_one(choices, text + "=lockstep");
-  use_one(choices, text);
-  unit_choice& choice = choices.by_unit[text.substr(0, text.find('='))];
-  choice = {unit_choice::Model, true, choice.plugin};
+  if (text.find('=') == std::string::npos) return use_one(choices, text + "=lockstep", true);
+  unit_choices told;
+  use_one(told, text, true);
+  for (auto& [unit, choice] : told.by_unit)
+    choices.by_unit[unit] = {unit_choice::Model, true, choice.plugin};
 }
 
 }  // namespace racebeam

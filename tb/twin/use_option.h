@@ -27,20 +27,22 @@ class UseOption {
             bool traced = false);
 
   /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
-  /// "stacks=mine.f", "stacks=mine.so", or several with commas between; later ones replace earlier
-  /// ones. SystemVerilog is verilated here. Throws UsageError, RtlError, MissingTool.
+  /// "stacks=mine.f", "stacks=mine.so", "stacks=gates:osu018", or several with commas between;
+  /// later ones replace earlier ones. Gates are made and SystemVerilog is verilated here. Throws
+  /// UsageError, RtlError, MissingTool.
   void use(unit_choices& choices, const std::string& text) const;
 
-  /// Adds what `verify` was told: "subdivider", "all" or "stacks=mine.sv", in lockstep. `all` has
-  /// the whole chip too, where its RTL is this chip. Throws as use() does.
+  /// Adds what `verify` was told: "subdivider", "all", "stacks=mine.sv" or "all=gates", in
+  /// lockstep. `all` has the whole chip too, where its RTL is this chip. Throws as use() does.
   void lockstep(unit_choices& choices, const std::string& text) const;
 
  private:
-  void use_one(unit_choices& choices, const std::string& text) const;
+  /// `beside`: of verify, which has nothing but lockstep.
+  void use_one(unit_choices& choices, const std::string& text, bool beside) const;
   unit_choice choice_of(const std::string& unit, const std::string& text) const;
   void check_unit(const std::string& unit) const;
 
-  void check_whole_chip(const std::string& how) const;
+  void check_whole_chip(const std::string& how, bool beside) const;
 
   const engine& engine_;
   const bool scene_file_;

@@ -3,17 +3,12 @@
 #include "tb/verilate/making_line.h"
 
 #include <cstdio>
-#include <filesystem>
 
 #include "tb/base/console.h"
 
 namespace racebeam {
 
-MakingLine::MakingLine(const std::string& module, const std::vector<std::string>& files)
-    : text_("verilating " + module), moves_(watched()) {
-  if (!files.empty())
-    text_ += " (" + std::filesystem::path(files[0]).filename().string() +
-             (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more)" : ")");
+MakingLine::MakingLine(const std::string& text) : text_(text), moves_(watched()) {
   if (!moves_) tell(text_);
 }
 

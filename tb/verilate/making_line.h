@@ -1,4 +1,4 @@
-// The line that says that RTL is being verilated.
+// The line that says what takes the time: RTL is being verilated, or made into gates.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -7,7 +7,6 @@
 #include <chrono>
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace racebeam {
 
@@ -15,7 +14,7 @@ namespace racebeam {
 /// line, said once, on stderr.
 class MakingLine {
  public:
-  MakingLine(const std::string& module, const std::vector<std::string>& files);
+  explicit MakingLine(const std::string& text);
   ~MakingLine();
   MakingLine(const MakingLine&) = delete;
   MakingLine& operator=(const MakingLine&) = delete;

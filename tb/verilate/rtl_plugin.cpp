@@ -93,13 +93,23 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
   return text;
 }
 
-std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& circular) {
+std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& made_with,
+                  const std::vector<std::string>& circular) {
   std::string parameters;
+  for (const std::string& setting : made_with) parameters += setting + " ";
   for (const RtlSyntax::Parameter& parameter : syntax.parameters)
     if (!parameter.value.empty()) parameters += parameter.name + "=" + parameter.value + " ";
   return "extern const char* const rtl_unit = " + c_string(syntax.top.name) +
          ";\nextern const char* const rtl_parameters = " + c_string(parameters) +
          ";\nextern const char* const rtl_remarks = " + c_string(remarks(syntax, circular)) + ";\n";
+}
+
+/// "stacks (mine.sv and 1 more)".
+std::string named(const RtlSources& sources) {
+  if (sources.files.empty()) return sources.top;
+  const std::size_t more = sources.files.size() - 1;
+  return sources.top + " (" + fs::path(sources.files[0]).filename().string() +
+         (more > 0 ? " and " + std::to_string(more) + " more)" : ")");
 }
 
 /// A source was saved while it was read.
@@ -128,7 +138,7 @@ void remove_classes(const WorkFolder& work) {
 void make(RtlSources sources, const std::string& content, const std::string& out) {
   const RtlSources whole = sources;
   const RtlSyntax syntax = read_rtl_syntax(sources);
-  const MakingLine line(sources.top, sources.files);
+  const MakingLine line("verilating " + named(sources));
   const WorkFolder work;
   const std::string known = facts(sources, syntax);
   if (is_wrapped(sources, syntax)) {
@@ -144,7 +154,7 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
-  compile_plugin(work, known, texts(syntax, circular), line.tick(), out);
+  compile_plugin(work, known, texts(syntax, whole.made_with, circular), line.tick(), out);
 }
 
 }  // namespace
@@ -152,9 +162,13 @@ void make(RtlSources sources, const std::string& content, const std::string& out
 std::string rtl_plugin(const RtlSources& sources) {
   for (int attempt = 0; attempt < MostAttempts; ++attempt) {
     const std::string content = elaborated(sources).content;
-    const std::string key =
-        content_key({content, sources.kind == RtlSources::Chip ? "chip" : "unit",
-                     sources.signals ? "signals" : "ports", compile_key()});
+    std::vector<std::string> parts = {content, sources.kind == RtlSources::Chip ? "chip" : "unit",
+                                      !sources.signals      ? "ports"
+                                      : sources.marked_only ? "marked signals"
+                                                            : "signals",
+                                      compile_key()};
+    parts.insert(parts.end(), sources.made_with.begin(), sources.made_with.end());
+    const std::string key = content_key(parts);
     try {
       return cached(key + ".so", [&](const std::string& out) { make(sources, content, out); });
     } catch (const Changed&) {  // again, with what is there now

@@ -20,7 +20,10 @@ struct RtlSources {
   /// Unit: one of this project's chips, with its package and modules at hand. Chip: a whole chip of
   /// whomever, whose inputs but `clk` pass a register: they count one clock later.
   enum Kind { Unit, Chip } kind = Unit;
-  bool signals = false;  ///< registers inside can be read
+  bool signals = false;      ///< registers inside can be read
+  bool marked_only = false;  ///< of signals those that the source marks, as Verilator has it
+  /// "Name=value" of parameters that the files were made with and have no longer: gates.
+  std::vector<std::string> made_with = {};
 };
 
 }  // namespace racebeam

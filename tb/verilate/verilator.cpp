@@ -136,7 +136,7 @@ std::string write_rtl_classes(const RtlSources& sources, const std::string& work
                                     "--x-initial",  "fast",       "--noassert",
                                     "--top-module", sources.top,  "--prefix",
                                     "Vrtl",         "--Mdir",     work};
-  if (sources.signals) words.emplace_back("--public-flat-rw");
+  if (sources.signals && !sources.marked_only) words.emplace_back("--public-flat-rw");
   if (split) words.insert(words.end(), {"--output-split", "20000", "--output-split-cfuncs", "500"});
   return run_verilator(sources, words, tick);
 }
