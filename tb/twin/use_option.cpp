@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "sc/swap/rtl_library.h"
+#include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
 #include "tb/scene/engines.h"
@@ -84,8 +85,12 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   const std::string file = without_beside(text);
   const bool beside = file.size() < text.size();
   const auto driver = beside ? unit_choice::Model : unit_choice::Rtl;
-  if (const auto gates = gate_word(file))
+  if (const auto gates = gate_word(file)) {
+    if (open && gates->kind != GenericGates)
+      tell(unit + " as " + gates->kind +
+           " is one module without the units' names: compare its first frame, --frames 1");
     return {driver, beside, checked(plugins_.gates(unit, *gates, open))};
+  }
   if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
     return {driver, beside, checked(plugins_.users(unit, file, open))};
   std::vector<std::string> known = own_implementations();
@@ -115,7 +120,9 @@ void UseOption::use_one(unit_choices& choices, const std::string& text, bool bes
                      "lockstep:gates or lockstep:gates:osu018; a file is for one");
   for (const std::string& each : engine_.unit_names(scene_file_))
     choices.by_unit[each] = choice_of(each, how);
-  if ((beside || how.rfind("lockstep", 0) == 0) && wired_)
+  // Flattened gates cannot be put into a later frame.
+  const bool flat = gates && gates->kind != GenericGates;
+  if ((beside || how.rfind("lockstep", 0) == 0) && wired_ && !flat)
     choices.by_unit[engine_.top] = choice_of(engine_.top, how);
 }
 

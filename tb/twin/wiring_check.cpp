@@ -16,16 +16,24 @@ constexpr std::uint64_t Settling = 1600;  // clocks of a line, until registers w
 }  // namespace
 
 WiringCheck::WiringCheck(rtl_instance& top, const sc_core::sc_module& chip) {
+  std::set<std::string> visible;
+  for (const probe& signal : top.probes()) visible.insert(signal.name);
+  std::string missing;
   for (const auto* child : chip.get_child_objects()) {
     const auto* unit = dynamic_cast<const sc_core::sc_module*>(child);
     if (!unit) continue;
     for (any_port* pin : ports_of(*unit)) {
       const std::string name = pin->port_name();
       if (name == "clk_i") continue;
-      ports_.push_back({unit->basename(), name, pin->is_input(), pin,
-                        top.signal(std::string(unit->basename()) + "." + name)});
+      const std::string signal = std::string(unit->basename()) + "." + name;
+      if (visible.count(signal) != 0)
+        ports_.push_back({unit->basename(), name, pin->is_input(), pin, top.signal(signal)});
+      else missing = signal;
     }
   }
+  // A flattened netlist has none of them, and there is nothing to look at.
+  if (!ports_.empty() && !missing.empty())
+    throw RtlError("there is no signal " + missing + " in racebeam_top");
 }
 
 void WiringCheck::join() {
@@ -83,6 +91,7 @@ std::string WiringCheck::wrong_outputs() const {
 
 std::string WiringCheck::text() const {
   if (!found_.empty()) return found_;
+  if (ports_.empty()) return "its units are not to be seen: racebeam verify them one by one";
   return "no port of a unit differs: the wiring of racebeam_top between the units and the pins "
          "does";
 }

@@ -195,7 +195,7 @@ TEST(SiliconTest, YosysThatIsMissingOrDoesNotAnswerIsSaid) {
   }
   const ScratchFolder nothing;
   setenv("PATH", nothing.path().c_str(), 1);
-  EXPECT_EQ(error(), "yosys is not installed");
+  EXPECT_EQ(error(), "yosys is not installed; install the package `yosys`");
   EXPECT_THROW(Silicon silicon(beam_engine()), MissingTool);
 }
 
