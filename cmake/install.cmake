@@ -38,6 +38,10 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}/tb/report
   COMPONENT program)
 install(
+  FILES tb/signoff/waivers.toml
+  DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
+  COMPONENT program)
+install(
   FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_model.h sc/swap/rtl_runtime.h
   DESTINATION ${RACEBEAM_DATADIR}/sc/swap
   COMPONENT program)

@@ -49,11 +49,12 @@ std::optional<TrafficDifference> BareRtl::run(const PortTraffic& traffic, std::u
     const std::uint64_t* row = traffic.row(clock);
     for (const Joint& in : inputs_) write(*in.rtl, row[in.port]);
     library_.eval();
-    if (clock > 0)
+    if (begun_)
       for (const Joint& out : outputs_)
         if (const std::uint64_t got = read(*out.rtl); got != row[out.port])
           return TrafficDifference{clock, out.port, row[out.port], got};
     library_.rise();
+    begun_ = true;
   }
   return std::nullopt;
 }

@@ -33,8 +33,8 @@ class BareRtl {
   /// RtlError if there is no such input.
   void hold(const std::string& input, std::uint64_t value);
   /// Goes on through the clocks `from` (included) to `to` (excluded) of traffic with the same
-  /// ports, up to the first output that is not as recorded; the outputs of clock 0 are not
-  /// compared. Throws RtlFault.
+  /// ports, up to the first output that is not as recorded; the outputs of its first
+  /// clock are not compared. Throws RtlFault.
   std::optional<TrafficDifference> run(const PortTraffic& traffic, std::uint64_t from,
                                        std::uint64_t to);
 
@@ -46,6 +46,7 @@ class BareRtl {
 
   rtl_library library_;
   std::vector<Joint> inputs_, outputs_;
+  bool begun_ = false;  // it has had a clock
 };
 
 }  // namespace racebeam

@@ -61,18 +61,17 @@ void PluginMaker::tell_missing(const std::string& text, const std::vector<Settin
       tell(text + " has no parameter " + setting.name + "; " + setting.what + " does not reach it");
 }
 
-RtlSources PluginMaker::own_with_settings(const std::string& unit) const {
+std::string PluginMaker::own(const std::string& unit, bool open) const {
+  return rtl_plugin(own_rtl(unit, open));
+}
+
+RtlSources PluginMaker::own_rtl(const std::string& unit, bool open) const {
   expect_rtl_of(unit, {});
   RtlSources sources = own_sources(unit);
   for (const Setting& setting : settings(unit))
     sources.parameters.push_back(setting.name + "=" + setting.value);
-  return sources;
-}
-
-std::string PluginMaker::own(const std::string& unit, bool open) const {
-  RtlSources sources = own_with_settings(unit);
   sources.signals = traced_ || open;
-  return rtl_plugin(sources);
+  return sources;
 }
 
 std::string PluginMaker::users(const std::string& unit, const std::string& text, bool open) const {
@@ -83,14 +82,13 @@ std::string PluginMaker::users(const std::string& unit, const std::string& text,
     tell_missing(text, settings(unit), built);
     return text;
   }
-  RtlSources sources = read_source_list(unit, text);
-  sources.signals = traced_ || open;
-  set(sources, text);
-  return rtl_plugin(sources);
+  return rtl_plugin(users_rtl(unit, text, open));
 }
 
-void PluginMaker::set(RtlSources& sources, const std::string& text) const {
-  const std::string unit = sources.top;
+RtlSources PluginMaker::users_rtl(const std::string& unit, const std::string& text,
+                                  bool open) const {
+  RtlSources sources = read_source_list(unit, text);
+  sources.signals = traced_ || open;
   const RtlSyntax syntax = read_rtl_syntax(sources);
   for (const RtlSyntax::Place& call : syntax.calls)
     tell(call.file + ":" + std::to_string(call.line) + ": " + call.name +
@@ -102,12 +100,12 @@ void PluginMaker::set(RtlSources& sources, const std::string& text) const {
   for (const Setting& own : settings_of_unit(unit))
     if (known.count(own.name) != 0) sources.parameters.push_back(own.name + "=" + own.value);
   tell_missing(text, settings(unit), known);
+  return sources;
 }
 
 RtlSources PluginMaker::gate_sources(const std::string& unit, const GateWord& word) const {
-  if (word.file.empty()) return own_with_settings(unit);
-  RtlSources sources = read_source_list(unit, word.file);
-  set(sources, word.file);
+  RtlSources sources = word.file.empty() ? own_rtl(unit) : users_rtl(unit, word.file);
+  sources.signals = false;
   return sources;
 }
 

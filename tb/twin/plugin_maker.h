@@ -34,9 +34,13 @@ class PluginMaker {
   /// The plug-in of a unit's own RTL, verilated if need be. `open`: as if traced. Throws RtlError,
   /// MissingTool, Interrupted.
   std::string own(const std::string& unit, bool open = false) const;
+  /// What that is made of. Throws as own() does.
+  RtlSources own_rtl(const std::string& unit, bool open = false) const;
   /// The plug-in of a user's RTL: a .so as it is, files as read_source_list() takes them verilated
   /// if need be. Tells what does not reach it. Throws UsageError, and as own() does.
   std::string users(const std::string& unit, const std::string& text, bool open = false) const;
+  /// What that is made of; `text` names no .so. Throws as users() does.
+  RtlSources users_rtl(const std::string& unit, const std::string& text, bool open = false) const;
   /// The plug-in of gates of a unit's own RTL or of a user's, made and verilated if need be; it
   /// tells what does not reach a user's. Throws as own() does.
   std::string gates(const std::string& unit, const GateWord& word, bool open = false) const;
@@ -44,12 +48,8 @@ class PluginMaker {
   GateNetlist netlist(const std::string& unit, const GateWord& word) const;
 
  private:
-  /// A unit's own RTL, with its parameters.
-  RtlSources own_with_settings(const std::string& unit) const;
   /// What becomes gates, with its parameters.
   RtlSources gate_sources(const std::string& unit, const GateWord& word) const;
-  /// Sets the parameters of a user's RTL, and tells what does not reach it.
-  void set(RtlSources& sources, const std::string& text) const;
   std::vector<Setting> settings_of_unit(const std::string& unit) const;
   /// Throws RtlError if of `unit` only the model has a wanted value, and its RTL no such parameter.
   void expect_rtl_of(const std::string& unit,

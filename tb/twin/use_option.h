@@ -36,11 +36,13 @@ class UseOption {
   /// lockstep. `all` has the whole chip too, where its RTL is this chip. Throws as use() does.
   void lockstep(unit_choices& choices, const std::string& text) const;
 
+  /// Says why a unit is none of this chip. Throws UsageError unless it is one.
+  void check_unit(const std::string& unit) const;
+
  private:
   /// `beside`: of verify, which has nothing but lockstep.
   void use_one(unit_choices& choices, const std::string& text, bool beside) const;
   unit_choice choice_of(const std::string& unit, const std::string& text) const;
-  void check_unit(const std::string& unit) const;
 
   void check_whole_chip(const std::string& how, bool beside) const;
 

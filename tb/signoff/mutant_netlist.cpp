@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/mutant_netlist.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
+#include "tb/base/output_file.h"
+#include "tb/base/project_folder.h"
+#include "tb/base/whole_file.h"
+#include "tb/verilate/cache_folder.h"
+#include "tb/verilate/elaborated.h"
+#include "tb/verilate/run_tool.h"
+
+namespace racebeam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Wires with several drivers have one bit: Verilator 5.006 gets a vector wrong whose bits depend on
+// each other. So each output has a buffer.
+constexpr const char* Splitting = "iopadmap -bits -outpad output_bit A:Y; splitnets -driver";
+constexpr const char* OutputBit =
+    "\nmodule output_bit(input A, output Y);\n  assign Y = A;\nendmodule\n";
+
+std::string link_name(std::size_t number, const std::string& path) {
+  return fmt::format("f{}_{}", number, fs::path(path).filename().string());
+}
+
+// yosys 0.23 reads no -1.
+std::string yosys_value(const std::string& value) {
+  if (value.size() > 1 && value[0] == '-' &&
+      value.find_first_not_of("0123456789", 1) == std::string::npos)
+    return fmt::format("32'sh{:08x}", static_cast<std::uint32_t>(std::stoll(value)));
+  return value;
+}
+
+bool is_package(const fs::path& file) {
+  const std::string name = file.filename().string(), end = "_pkg.sv";
+  return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The project's packages but those that the sources bring, by their places in the folder.
+std::vector<std::string> packages(const RtlSources& sources) {
+  std::vector<std::string> all;
+  for (const std::string& folder : rtl_folders())
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const auto brings = [&](const std::string& file) {
+        return fs::path(file).filename() == entry.path().filename();
+      };
+      if (is_package(entry.path()) &&
+          std::none_of(sources.files.begin(), sources.files.end(), brings))
+        all.push_back("rtl/" + fs::path(folder).filename().string() + "/" +
+                      entry.path().filename().string());
+    }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::string option(const std::string& line, const std::string& name) {
+  std::istringstream words(line);
+  for (std::string word, value; words >> word;)
+    if (word == "-" + name && words >> value) return value;
+  return "";
+}
+
+/// "inv $procmux$85 Y[5]", and for those that depend on another bit "cnot1 $procmux$85 Y[5] 1".
+std::string name_of(const std::string& line) {
+  const std::string ctrl = option(line, "ctrlbit");
+  return fmt::format("{} {} {}[{}]{}", option(line, "mode"), option(line, "cell"),
+                     option(line, "port"), option(line, "portbit"), ctrl.empty() ? "" : " " + ctrl);
+}
+
+std::string sources_of(const std::string& line) {
+  std::istringstream words(line);
+  std::string all;
+  for (std::string word, value; words >> word;)
+    if (word == "-src" && words >> value) all += (all.empty() ? "" : " ") + value;
+  return all;
+}
+
+std::vector<Mutant> read_mutants(const std::string& list) {
+  std::vector<Mutant> mutants;
+  std::set<std::string> names;
+  std::istringstream lines(list);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("mutate ", 0) == 0 && names.insert(name_of(line)).second)
+      mutants.push_back(
+          {static_cast<int>(mutants.size()) + 1, line, name_of(line), sources_of(line)});
+  return mutants;
+}
+
+/// All of them in the unit, each chosen by its number.
+std::string choosing_commands(const std::vector<Mutant>& mutants) {
+  int bits = 1;
+  while ((mutants.size() >> bits) != 0) ++bits;
+  std::string text;
+  for (const Mutant& mutant : mutants)
+    text += fmt::format("mutate -ctrl {} {} {}{}\n", MutantInput, bits, mutant.number,
+                        mutant.command.substr(std::string("mutate").size()));
+  return text;
+}
+
+nlohmann::ordered_json to_json(const MutantNetlist& netlist) {
+  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  for (const Mutant& mutant : netlist.mutants) lines.push_back(mutant.command);
+  return {{"rtlil", netlist.rtlil}, {"verilog", netlist.verilog}, {"mutants", lines}};
+}
+
+MutantNetlist netlist_of(const nlohmann::ordered_json& json) {
+  std::string lines;
+  for (const auto& line : json.at("mutants")) lines += line.get<std::string>() + "\n";
+  return {json.at("rtlil"), json.at("verilog"), read_mutants(lines)};
+}
+
+MutantNetlist make(const RtlSources& sources, int most, unsigned seed) {
+  const WorkFolder work;
+  link_sources(sources, work.path());
+  run_yosys(
+      reading_commands(sources) +
+          fmt::format("mutate -list {} -seed {} -o mutants\nwrite_rtlil plain.il\n", most, seed),
+      work.path(), sources.top);
+  MutantNetlist netlist;
+  netlist.mutants = read_mutants(whole_file(work.file("mutants")));
+  netlist.rtlil = whole_file(work.file("plain.il"));
+  run_yosys("read_rtlil plain.il\n" + choosing_commands(netlist.mutants) + "opt_clean\n" +
+                Splitting + "\nwrite_verilog -noattr mutants.v\n",
+            work.path(), sources.top);
+  netlist.verilog = whole_file(work.file("mutants.v")) + OutputBit;
+  return netlist;
+}
+
+/// Which yosys it is: another one names cells in another way.
+std::string yosys_version() { return run_tool({{"yosys", "-V"}, "", {}, {}}).said; }
+
+}  // namespace
+
+void link_sources(const RtlSources& sources, const std::string& folder) {
+  fs::create_directory_symlink(rtl_folder(), folder + "/rtl");
+  for (std::size_t n = 0; n < sources.files.size(); ++n)
+    fs::create_symlink(fs::absolute(sources.files[n]),
+                       folder + "/" + link_name(n, sources.files[n]));
+}
+
+std::string reading_commands(const RtlSources& sources) {
+  std::string options = " -sv", libraries, text, settings;
+  for (const std::string& one : sources.include_folders)
+    options += " -I" + fs::absolute(one).string();
+  for (const std::string& file : sources.files)
+    options += " -I" + fs::absolute(file).parent_path().string();
+  for (const std::string& one : sources.defines) options += " -D" + one;
+  for (const std::string& one : sources.libraries)
+    if (fs::is_directory(one)) libraries += " -libdir " + fs::absolute(one).string();
+  for (const std::string& file : sources.files)
+    libraries += " -libdir " + fs::absolute(file).parent_path().string();
+  for (const std::string& folder : rtl_folders())
+    libraries += " -libdir rtl/" + fs::path(folder).filename().string();
+  text = "read_verilog" + options;
+  for (const std::string& package : packages(sources)) text += " " + package;
+  for (std::size_t n = 0; n < sources.files.size(); ++n)
+    text += " " + link_name(n, sources.files[n]);
+  for (const std::string& parameter : sources.parameters) {
+    const auto equals = parameter.find('=');
+    settings += fmt::format(" -set {} {}", parameter.substr(0, equals),
+                            yosys_value(parameter.substr(equals + 1)));
+  }
+  if (!settings.empty()) text += "\nchparam" + settings + " " + sources.top;
+  return text + fmt::format("\nhierarchy -check -top {0}{1}\nrename -top {0}\nproc\nflatten\nopt\n",
+                            sources.top, libraries);
+}
+
+void run_yosys(const std::string& commands, const std::string& folder, const std::string& unit) {
+  if (!has_tool("yosys")) throw MissingTool("yosys is not installed; scripts/setup installs it");
+  std::ofstream(folder + "/commands.ys") << commands;
+  const ToolResult result = run_tool({{"yosys", "-q", "-s", "commands.ys"}, folder, {}, {}});
+  if (!result.good) throw RtlError("yosys cannot make a netlist of " + unit + ":\n" + result.said);
+}
+
+MutantNetlist mutant_netlist(const RtlSources& sources, int most, unsigned seed) {
+  if (!has_tool("yosys")) throw MissingTool("yosys is not installed; scripts/setup installs it");
+  const std::string key =
+      content_key({elaborated(sources).content, fmt::format("{} {}", most, seed), yosys_version(),
+                   reading_commands(sources), Splitting});
+  const std::string path = cached(key + ".mutants", [&](const std::string& out) {
+    write_text(out, to_json(make(sources, most, seed)).dump());
+  });
+  return netlist_of(nlohmann::ordered_json::parse(whole_file(path)));
+}
+
+}  // namespace racebeam

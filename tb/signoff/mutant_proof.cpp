@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/mutant_proof.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "sc/base/fixed_point.h"
+#include "sc/base/unit.h"
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
+#include "tb/base/reset_value.h"
+#include "tb/base/whole_file.h"
+#include "tb/verilate/cache_folder.h"
+#include "tb/verilate/run_tool.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr int Enumerated = 16;  // bits of an input whose values are all looked at
+constexpr int Samples = 4096;   // of wider ones
+constexpr const char* Miter = "racebeam_miter";
+
+using Raw = std::uint64_t;
+using Inputs = std::vector<std::vector<std::uint64_t>>;
+
+Raw formed(const LegalInputs& legal, const PortTraffic::Port& port, Raw raw) {
+  return raw_bits(legal.of(port.name, raw_bits(raw, port.bits)), port.bits);
+}
+
+/// Ranges of the values that rules make.
+std::string enumerated(const LegalInputs& legal, const PortTraffic::Port& port) {
+  std::vector<bool> made(std::size_t{1} << port.bits);
+  for (Raw raw = 0; raw < made.size(); ++raw)
+    made[static_cast<std::size_t>(formed(legal, port, raw))] = true;
+  std::string text;
+  for (std::size_t from = 0; from < made.size(); ++from) {
+    if (!made[from]) continue;
+    std::size_t to = from;
+    while (to + 1 < made.size() && made[to + 1]) ++to;
+    if (from == 0 && to + 1 == made.size()) return "";
+    text += fmt::format("{}({} >= {} && {} <= {})", text.empty() ? "" : " || ", port.name, from,
+                        port.name, to);
+    from = to;
+  }
+  return "(" + text + ")";
+}
+
+/// A number that is kept in fewer bits, signed or not.
+std::string narrowed(const LegalInputs& legal, const PortTraffic::Port& port) {
+  std::mt19937_64 random(1);
+  std::vector<Raw> samples(Samples);
+  for (Raw& sample : samples) sample = raw_bits(random(), port.bits);
+  const auto all = [&](auto same) { return std::all_of(samples.begin(), samples.end(), same); };
+  for (int bits = 1; bits < port.bits; ++bits) {
+    if (all([&](Raw raw) { return formed(legal, port, raw) == raw_bits(raw, bits); }))
+      return fmt::format("({}[{}:{}] == 0)", port.name, port.bits - 1, bits);
+    if (all([&](Raw raw) {
+          return formed(legal, port, raw) ==
+                 raw_bits(static_cast<Raw>(signed_bits(raw, bits)), port.bits);
+        }))
+      return fmt::format("(&{0}[{1}:{2}] || ~|{0}[{1}:{2}])", port.name, port.bits - 1, bits - 1);
+  }
+  return "";
+}
+
+std::string clock_of(const std::string& rtlil) {
+  for (const char* clock : {"clk_i", "clk"})
+    if (rtlil.find(fmt::format(" \\{}\n", clock)) != std::string::npos) return clock;
+  return "";
+}
+
+std::string range(int bits) { return bits > 1 ? fmt::format("[{}:0] ", bits - 1) : ""; }
+
+/// Both in one module, whose output is 1 when they differ.
+std::string miter(const ProofOfMutants& proof) {
+  const std::string clock = clock_of(proof.netlist.rtlil);
+  std::string inputs, resets, outputs, legal = "1", differ = "0";
+  for (const PortTraffic::Port& port : proof.ports.ports) {
+    if (!port.input) {
+      outputs += fmt::format("  wire {0}was_{1}, is_{1};\n", range(port.bits), port.name);
+      differ += fmt::format(" || was_{0} != is_{0}", port.name);
+      continue;
+    }
+    inputs += fmt::format(", input {}{}", range(port.bits), port.name);
+    if (const int value = reset_value(port.name); value >= 0)
+      resets += fmt::format("  wire after_{0} = started ? {0} : 1'b{1};\n", port.name, value);
+    else if (const std::string one = legal_condition(proof.legal, port); !one.empty())
+      legal += " && " + one;
+  }
+  const auto instance = [&](const std::string& module, const std::string& side) {
+    std::string text = fmt::format("  {} u_{} (", module, side), comma;
+    if (!clock.empty()) text += fmt::format(".{}(clk)", clock), comma = ", ";
+    for (const PortTraffic::Port& port : proof.ports.ports) {
+      const std::string wire = !port.input                   ? side + "_" + port.name
+                               : reset_value(port.name) >= 0 ? "after_" + port.name
+                                                             : port.name;
+      text += fmt::format("{}.{}({})", comma, port.name, wire);
+      comma = ", ";
+    }
+    return text + ");\n";
+  };
+  return fmt::format(
+             "module {} (input clk{}, output differs);\n"
+             "  reg started, kept;\n  initial started = 0;\n  initial kept = 1;\n"
+             "  wire legal = {};\n"
+             "  always @(posedge clk) begin\n    started <= 1;\n    kept <= kept && legal;\n"
+             "  end\n",
+             Miter, inputs, legal) +
+         resets + outputs + instance("was_unit", "was") + instance("is_unit", "is") +
+         fmt::format("  assign differs = started && kept && legal && ({});\nendmodule\n", differ);
+}
+
+std::string miter_commands(const std::string& unit, const Mutant& mutant) {
+  return fmt::format(
+      "read_rtlil plain.il\nrename {0} was_unit\nread_rtlil plain.il\n{1}\nrename {0} is_unit\n"
+      "read_verilog -sv miter.v\nhierarchy -top {2}\nproc\nflatten\nmemory\nopt -fast\n"
+      "dffunmap\ntechmap\nopt -fast -nodffe -nosdff\nsetundef -undriven -init -zero\naigmap\n"
+      "opt_clean\nwrite_aiger -zinit -map miter.map miter.aig\n",
+      unit, mutant.command, Miter);
+}
+
+/// Which bit of which input of the ports each input of the AIGER file is.
+struct InputBit {
+  std::size_t input = 0;
+  int bit = -1;  // -1: none of them
+};
+
+std::vector<InputBit> read_map(const std::string& text, const PortTraffic& ports) {
+  std::map<std::string, std::size_t> numbers;
+  for (const PortTraffic::Port& port : ports.ports)
+    if (port.input) numbers.emplace(port.name, numbers.size());
+  std::vector<InputBit> bits;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind, name;
+    std::size_t at;
+    int bit;
+    if (!(words >> kind >> at >> bit >> name) || kind != "input") continue;
+    bits.resize(std::max(bits.size(), at + 1));
+    if (const auto found = numbers.find(name); found != numbers.end())
+      bits[at] = {found->second, bit};
+  }
+  return bits;
+}
+
+/// A counterexample as abc writes it: the registers, then a row of bits for each clock.
+Inputs read_counterexample(const std::string& text, const std::vector<InputBit>& bits,
+                           const PortTraffic& ports) {
+  const auto inputs = std::count_if(ports.ports.begin(), ports.ports.end(),
+                                    [](const PortTraffic::Port& port) { return port.input; });
+  Inputs rows;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    line = line.substr(0, line.find('#'));
+    if (line.size() < bits.size() || line.find_first_not_of("01x") != std::string::npos) continue;
+    std::vector<std::uint64_t> row(static_cast<std::size_t>(inputs));
+    for (std::size_t n = 0; n < bits.size(); ++n)
+      if (bits[n].bit >= 0 && line[n] == '1') row[bits[n].input] |= Raw{1} << bits[n].bit;
+    rows.push_back(row);
+  }
+  std::size_t n = 0;  // the first clock is in reset, whatever the inputs say
+  if (!rows.empty())
+    for (const PortTraffic::Port& port : ports.ports) {
+      if (!port.input) continue;
+      if (const int value = reset_value(port.name); value >= 0)
+        rows.front()[n] = static_cast<Raw>(value);
+      ++n;
+    }
+  return rows;
+}
+
+bool is_legal(const ProofOfMutants& proof, const Inputs& rows) {
+  for (const auto& row : rows) {
+    std::size_t n = 0;
+    for (const PortTraffic::Port& port : proof.ports.ports) {
+      if (!port.input) continue;
+      const Raw raw = row[n++];
+      if (reset_value(port.name) < 0 && formed(proof.legal, port, raw) != raw) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string legal_condition(const LegalInputs& legal, const PortTraffic::Port& port) {
+  return port.bits <= Enumerated ? enumerated(legal, port) : narrowed(legal, port);
+}
+
+MutantProof prove(const ProofOfMutants& proof, const Mutant& mutant) {
+  if (!has_tool("yosys-abc"))
+    throw MissingTool("yosys-abc is not installed; it comes with the package yosys");
+  const WorkFolder work;
+  work.write("plain.il", proof.netlist.rtlil);
+  work.write("miter.v", miter(proof));
+  run_yosys(miter_commands(proof.ports.unit, mutant), work.path(), proof.ports.unit);
+  const double seconds = std::chrono::duration<double>(proof.limit).count();
+  // Where pdr is at a loss, a bounded search may still find a difference.
+  ToolResult result{};
+  const auto ask = [&](const std::string& how, double share) {
+    const ToolRun run{{"yosys-abc", "-q",
+                       fmt::format("read_aiger miter.aig; strash; scorr; {} -T {}; print_status; "
+                                   "write_cex -a counterexample",
+                                   how, static_cast<int>(std::max(1.0, seconds * share)))},
+                      work.path(),
+                      {},
+                      {}};
+    run_tools({run}, 1, proof.limit + std::chrono::seconds(1),
+              [&](std::size_t, const ToolResult& end) { result = end; });
+    return result.said.find("Status = 1") != std::string::npos ||
+           result.said.find("Status = 0") != std::string::npos;
+  };
+  if (!ask("pdr", 0.75) && !ask("bmc3 -F 1000", 0.25))
+    return {MutantProof::Undecided,
+            {},
+            fmt::format("yosys-abc neither proved it equal nor found a difference within {:g} "
+                        "seconds",
+                        seconds)};
+  if (result.said.find("Status = 1") != std::string::npos) return {MutantProof::Equal, {}, ""};
+  const Inputs rows =
+      read_counterexample(whole_file(work.file("counterexample")),
+                          read_map(whole_file(work.file("miter.map")), proof.ports), proof.ports);
+  if (rows.empty()) throw RtlError("yosys-abc has written no counterexample:\n" + result.said);
+  if (!is_legal(proof, rows))
+    return {MutantProof::Undecided, rows,
+            "it differs on inputs only that a chip does not have, as far as yosys-abc can tell"};
+  return {MutantProof::Counterexample, rows, ""};
+}
+
+}  // namespace racebeam

@@ -1,0 +1,44 @@
+// A mutant beside its unit, as a question for yosys-abc: can any output ever differ?
+//
+// Both start with all registers at 0 and see one clock of reset, then any inputs that a chip can
+// have. Registers without a reset start equal so.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tb/signoff/mutant_netlist.h"
+#include "tb/twin/legal_inputs.h"
+#include "tb/twin/port_traffic.h"
+
+namespace racebeam {
+
+struct MutantProof {
+  enum Verdict { Equal, Counterexample, Undecided };
+  Verdict verdict = Undecided;
+  /// Of a counterexample: a row for each clock, and in it a value for each input of the ports.
+  std::vector<std::vector<std::uint64_t>> inputs;
+  std::string why;  ///< it is undecided
+};
+
+/// What a proof is asked of: `ports` of the unit, without clocks of traffic.
+struct ProofOfMutants {
+  const MutantNetlist& netlist;
+  const PortTraffic& ports;
+  const LegalInputs& legal;
+  std::chrono::milliseconds limit;  ///< for each mutant
+};
+
+/// Throws RtlError, MissingTool, Interrupted.
+MutantProof prove(const ProofOfMutants& proof, const Mutant& mutant);
+
+/// The condition that a value of an input is one that the chip can have, in Verilog; "" if all are.
+/// Values of wide inputs whose rule is neither a narrower number nor a signed one are all allowed.
+std::string legal_condition(const LegalInputs& legal, const PortTraffic::Port& port);
+
+}  // namespace racebeam

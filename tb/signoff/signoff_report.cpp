@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/signoff_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* Words[] = {"good", "BAD", "undecided"};
+
+}  // namespace
+
+bool SignoffReport::green() const {
+  return whole && std::all_of(results.begin(), results.end(), [](const CheckResult& result) {
+           return result.verdict == CheckResult::Good;
+         });
+}
+
+std::string signoff_text(const SignoffReport& report) {
+  std::size_t unit = 4, check = 5;
+  for (const CheckResult& result : report.results) {
+    unit = std::max(unit, result.unit.size());
+    check = std::max(check, result.check.size());
+  }
+  std::string text = fmt::format("{:<{}}  {:<{}}  {:<9}  {:>7}  {}\n", "unit", unit, "check", check,
+                                 "verdict", "s", "found");
+  for (const CheckResult& result : report.results)
+    text += fmt::format("{:<{}}  {:<{}}  {:<9}  {:>7.1f}  {}\n", result.unit, unit, result.check,
+                        check, Words[result.verdict], result.seconds, result.summary);
+  for (const CheckResult& result : report.results)
+    for (const std::string& fault : result.faults)
+      text += fmt::format("\n{} {}: {}\n", result.unit, result.check, fault);
+  return text;
+}
+
+std::string signoff_json(const SignoffReport& report) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const CheckResult& result : report.results) results.push_back(to_json(result));
+  return nlohmann::ordered_json{{"schema", "racebeam-signoff"},
+                                {"version", 1},
+                                {"scene", report.scene},
+                                {"engine", report.engine},
+                                {"green", report.green()},
+                                {"whole", report.whole},
+                                {"results", results}}
+             .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace racebeam

@@ -1,0 +1,48 @@
+// A unit that is signed off, and what it is made of.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tb/signoff/check_result.h"
+#include "tb/signoff/waivers.h"
+#include "tb/twin/unit_under_test.h"
+#include "tb/verilate/rtl_sources.h"
+
+namespace racebeam {
+
+struct SignoffUnit {
+  UnitUnderTest dut;   ///< with the plug-in of its RTL
+  RtlSources sources;  ///< that RTL
+};
+
+struct SignoffOptions {
+  int mutants = 1000;          ///< of each unit, at most
+  long long mutant_seed = 1;   ///< of their choice
+  long long random = 100'000;  ///< clocks
+  long long seed = 1;          ///< of the stimulus
+  int proof_seconds = 60;      ///< for each mutant
+  int jobs = 1;
+  std::vector<Waiver> waivers{};
+  std::string folder = "racebeam_signoff";  ///< results are kept there
+  /// Told what is going on: "642 of 1,000 mutants found".
+  std::function<void(const std::string&)> progress = [](const std::string&) {};
+};
+
+/// A kind of check, and what it needs: a row of a table.
+struct SignoffCheck {
+  const char* name;
+  const char* meaning;               ///< "yosys puts mistakes into the RTL, ..."
+  std::vector<const char*> tools{};  ///< without one of them it is undecided
+  /// Throws RtlError, UsageError, MissingTool, Interrupted.
+  CheckResult (*run)(const SignoffUnit& unit, const SignoffOptions& options);
+};
+
+/// All of them, in the order of the table.
+const std::vector<SignoffCheck>& signoff_checks();
+
+}  // namespace racebeam
