@@ -19,6 +19,7 @@
 #include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
 #include "tb/program/verify_report.h"
+#include "tb/program/verify_stream.h"
 #include "tb/program/verify_unit.h"
 #include "tb/program/verify_watch.h"
 #include "tb/show/set_knob.h"
@@ -59,12 +60,17 @@ std::string word_of(const VerifyOptions& options, const std::string& unit) {
   return unit;
 }
 
+/// `rest`: what else it takes, with a space before it.
+std::string repeat_text(const VerifyOptions& options, const std::string& unit,
+                        const std::string& rest) {
+  return fmt::format("racebeam verify {} --scene {}{}{}", word_of(options, unit), options.scene,
+                     rest, options.set_text());
+}
 std::string repeat_text(const VerifyOptions& options, const std::string& unit, long long frames,
                         long long random) {
-  std::string text =
-      fmt::format("racebeam verify {} --scene {} --frames {} --random {} --seed {}",
-                  word_of(options, unit), options.scene, frames, random, options.seed);
-  return text + options.set_text();
+  return repeat_text(
+      options, unit,
+      fmt::format(" --frames {} --random {} --seed {}", frames, random, options.seed));
 }
 
 /// The first clock of a frame or picture, as `trace --from` takes it.
@@ -135,20 +141,52 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   return verdicts;
 }
 
-/// A unit by itself. SystemC elaborates once in a process, so each has a process of its own.
+/// A unit by itself, in a process of its own: SystemC elaborates once in one. What ends that ends
+/// the unit's comparison.
+UnitVerdict in_a_process(const std::string& unit, const char* traffic,
+                         const std::function<UnitVerdict()>& verify) {
+  try {
+    return verdict_of(Json::parse(forked([&] { return to_json(verify()).dump(); })));
+  } catch (const ChildDied& death) {
+    return {unit, traffic, 0, 0, 0, 0, {}, death.what()};
+  }
+}
+
 UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut, Stimulus stimulus,
                          std::uint64_t clocks, const std::function<void(std::uint64_t)>& compared) {
+  return in_a_process(dut.unit, stimulus == Stimulus::Random ? "random" : "walk", [&] {
+    return verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed), options.folder,
+                       repeat_text(options, dut.unit, 0, options.random), compared);
+  });
+}
+
+/// What was found alone, in few clocks; as it was, if that is not to be had.
+void shrink(UnitVerdict& verdict, const VerifyOptions& options, const UnitUnderTest& dut,
+            Stimulus stimulus) {
+  if (!verdict.first || options.no_shrink || interrupted()) return;
+  const UnitVerdict found = verdict;
   try {
-    return verdict_of(Json::parse(forked([&] {
-      return to_json(verify_unit(dut, stimulus, clocks, static_cast<unsigned>(options.seed),
-                                 options.folder, repeat_text(options, dut.unit, 0, options.random),
-                                 compared))
-          .dump();
-    })));
-  } catch (const ChildDied& death) {
-    return {dut.unit,    stimulus == Stimulus::Random ? "random" : "walk", 0, 0, 0, 0, {},
-            death.what()};
+    const UnitVerdict shrunk = in_a_process(dut.unit, verdict.traffic.c_str(), [&] {
+      UnitVerdict small = found;
+      shrink_difference(*small.first, dut, stimulus, static_cast<unsigned>(options.seed),
+                        options.folder, repeat_text(options, dut.unit, ""));
+      return small;
+    });
+    if (shrunk.first) verdict = shrunk;
+    else tell(dut.unit + ": the difference is not shrunk: " + shrunk.fault);
+  } catch (const Interrupted&) {
   }
+}
+
+/// The unit of the command line on a stream from a file, and nothing else.
+std::vector<UnitVerdict> verify_on_stream(const VerifyOptions& options, const Show& show,
+                                          const knob_values& k, const unit_choices& choices) {
+  const auto& [unit, choice] = *choices.by_unit.begin();
+  const UnitUnderTest dut{unit, choice.plugin, k, show.tables(), show.frames()};
+  return {in_a_process(unit, "stream", [&] {
+    return verify_stream(dut, options.stream, options.folder,
+                         repeat_text(options, dut.unit, " --stream " + options.stream));
+  })};
 }
 
 /// Each unit by itself: the walk of one that has a walk, and random traffic.
@@ -171,6 +209,7 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
     draw(0);
     verdicts.push_back(verify_alone(options, dut, stimulus, clocks, draw));
     progress.clear();
+    shrink(verdicts.back(), options, dut, stimulus);
     done += clocks;
   };
   for (const auto& [unit, choice] : choices.by_unit) {
@@ -191,6 +230,14 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
 }  // namespace
 
 Run plan_verify(const VerifyOptions& options) {
+  if (!options.stream.empty()) {
+    const std::string unit = unit_of_stream(options.stream);
+    if (options.units.size() != 1 || options.units[0].substr(0, options.units[0].find('=')) != unit)
+      throw UsageError(fmt::format(
+          "{} is a stream for {}; name that unit and no other, as in 'racebeam verify {} --stream "
+          "{}'",
+          options.stream, unit, unit, options.stream));
+  }
   if (options.frames == 0 && options.random == 0)
     throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
   Run run = open_run(options, true);
@@ -209,10 +256,12 @@ int command_verify(const VerifyOptions& options) {
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;
-  if (options.random > 0) verdicts = verify_at_random(options, show, k, choices);
+  const bool streams = !options.stream.empty();
+  if (streams) verdicts = verify_on_stream(options, show, k, choices);
+  else if (options.random > 0) verdicts = verify_at_random(options, show, k, choices);
   for (const UnitVerdict& verdict : verdicts)
     if (!verdict.fault.empty()) choices.by_unit.erase(verdict.unit);
-  if (frames_of(options, show) > 0 && !interrupted() && !choices.by_unit.empty())
+  if (!streams && frames_of(options, show) > 0 && !interrupted() && !choices.by_unit.empty())
     for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
       verdicts.push_back(verdict);
 
@@ -253,13 +302,15 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
   command.add_option("--scene", options.scene, "demo, or a scene file")
       .type_name("SCENE")
       .capture_default_str();
-  add_number(command, "--frames", options.frames,
-             "Frames of the chip, spread over the scene; 60, or 2 whole pictures of an engine that "
-             "does not race the beam",
-             is_number("--frames", "0..12799 in the demo"));
-  add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
-             is_number_in("--random", 0, MostRandomClocks))
-      .capture_default_str();
+  const CommandOption frames = add_number(
+      command, "--frames", options.frames,
+      "Frames of the chip, spread over the scene; 60, or 2 whole pictures of an engine that "
+      "does not race the beam",
+      is_number("--frames", "0..12799 in the demo"));
+  const CommandOption random =
+      add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
+                 is_number_in("--random", 0, MostRandomClocks))
+          .capture_default_str();
   add_run_options(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
@@ -268,6 +319,16 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
       .type_name("DIR")
       .check(not_empty)
       .capture_default_str();
+  command
+      .add_option("--stream", options.stream,
+                  "Instead of frames and random traffic: the clocks in this file, as a shrunk "
+                  "difference leaves it")
+      .type_name("FILE")
+      .check(not_empty)
+      .excludes(frames)
+      .excludes(random);
+  command.add_flag("--no-shrink", options.no_shrink,
+                   "Leave a difference on random traffic as it was found");
   command.add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }

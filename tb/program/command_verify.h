@@ -23,6 +23,8 @@ struct VerifyOptions : RunOptions {
   long long random = 100000;  ///< clocks of random traffic for each unit
   long long seed = 1;
   std::string folder = "racebeam_verify";  ///< for waveforms of differences
+  std::string stream;                      ///< file that is all that is played; empty: none
+  bool no_shrink = false;                  ///< differences alone stay as they were found
   bool watch = false;                      ///< for verify_watch()
   bool json = false;
 };

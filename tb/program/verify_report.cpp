@@ -14,12 +14,25 @@ namespace {
 
 constexpr const char* Row = "{:<18} {:<7} {:>12} {:>7} {:>10} {:>11}\n";
 
+Json to_json(const ShrunkDifference& d) {
+  return {{"clocks", d.clocks}, {"moving", d.moving}, {"expected", d.expected}, {"got", d.got},
+          {"plays", d.plays},   {"stream", d.stream}, {"repeat", d.repeat}};
+}
+
 Json to_json(const FirstDifference& d) {
   Json json = {{"port", d.port}, {"clock", d.clock}, {"expected", d.expected}, {"got", d.got}};
   if (d.place)
     json["place"] = {{"frame", d.place->frame}, {"line", d.place->line}, {"clock", d.place->clock}};
   json["text"] = d.text;
+  if (d.shrunk) json["shrunk"] = to_json(*d.shrunk);
   return json;
+}
+
+std::optional<ShrunkDifference> shrunk_of(const Json& difference) {
+  if (!difference.contains("shrunk")) return std::nullopt;
+  const Json& d = difference["shrunk"];
+  return ShrunkDifference{d["clocks"], d["moving"], d["expected"], d["got"],
+                          d["plays"],  d["stream"], d["repeat"]};
 }
 
 }  // namespace
@@ -45,7 +58,8 @@ UnitVerdict verdict_of(const Json& json) {
                       {},
                       json["fault"].is_null() ? "" : json["fault"]};
   if (const Json& d = json["first"]; !d.is_null())
-    verdict.first = FirstDifference{d["port"], d["clock"], d["expected"], d["got"], {}, d["text"]};
+    verdict.first = FirstDifference{d["port"], d["clock"], d["expected"], d["got"],
+                                    {},        d["text"],  shrunk_of(d)};
   return verdict;
 }
 

@@ -4,16 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 
-#include "sc/beam/sequencer.h"
 #include "tb/base/interrupt.h"
 #include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
-#include "tb/twin/random_traffic.h"
 #include "tb/twin/twins.h"
-#include "tb/twin/unit_bench.h"
 
 namespace racebeam {
 
@@ -21,37 +17,21 @@ namespace {
 
 constexpr std::uint64_t Batch = 10000;  // clocks, then it looks
 
-/// No episode is long enough to count there. One in four: the last frame.
-int any_frame(const UnitUnderTest& dut, unsigned random) {
-  const auto frames = static_cast<unsigned>(dut.frames);
-  return static_cast<int>(random % 4 == 0 ? frames - 1 : random / 4 % frames);
-}
-
 }  // namespace
 
 UnitVerdict verify_unit(const UnitUnderTest& dut, Stimulus stimulus, std::uint64_t clocks,
                         unsigned seed, const std::string& folder, const std::string& repeat,
                         const std::function<void(std::uint64_t)>& compared) {
-  const engine& built = engine_of(dut.k);
-  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.scene);
-  Lockstep lockstep("lockstep", dut.unit, *model, built.parameters(dut.k), dut.plugin);
-  lockstep.outlive_faults();
-  UnitBench bench(*model, &lockstep.clk_i);
+  TwinBench twins(dut);
+  const Lockstep& lockstep = twins.lockstep();
   const auto start = std::chrono::steady_clock::now();
   const bool random = stimulus == Stimulus::Random;
-  const UnitWalk* const walk = random ? nullptr : twins_of(built).walk(dut.unit);
-  RandomTraffic traffic(bench, twins_of(built).inputs(dut.k), seed);
-  if (auto* counter = dynamic_cast<sequencer_pins*>(model.get()))
-    traffic.at_episodes([&, counter](unsigned random) {
-      const int frame = any_frame(dut, random);
-      counter->deposit(frame);
-      lockstep.deposit([&](rtl_instance& rtl) { rtl.seek(frame); });
-    });
-  if (walk) bench.between_edges(walk->begin(bench, dut.k, seed));
-  else bench.between_edges([&] { traffic.next(); });
+  const UnitWalk* const walk = random ? nullptr : twins_of(engine_of(dut.k)).walk(dut.unit);
+  twins.stimulate(stimulus, seed);
   while (lockstep.clocks() < clocks && !(lockstep.first() && lockstep.first()->whole()) &&
          !lockstep.fault() && !interrupted()) {
-    bench.clock(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
+    twins.bench().clock(
+        static_cast<int>(std::min<std::uint64_t>(Batch, clocks - lockstep.clocks())));
     compared(lockstep.clocks());
   }
   UnitVerdict verdict{dut.unit,

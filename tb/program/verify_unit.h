@@ -12,9 +12,19 @@
 
 #include "tb/twin/lockstep.h"
 #include "tb/twin/lockstep_report.h"
+#include "tb/twin/twin_bench.h"
 #include "tb/twin/unit_under_test.h"
 
 namespace racebeam {
+
+/// A difference in as few clocks as it takes, with what it takes to see it again.
+struct ShrunkDifference {
+  std::uint64_t clocks = 0;             ///< after the reset
+  std::size_t moving = 0;               ///< inputs that move
+  std::uint64_t expected = 0, got = 0;  ///< raw bits of the model and of the RTL in the last clock
+  std::uint64_t plays = 0;              ///< streams that were tried
+  std::string stream, repeat;           ///< the file, and the command that plays it
+};
 
 /// Where a comparison found the first difference.
 struct FirstDifference {
@@ -23,11 +33,12 @@ struct FirstDifference {
   std::uint64_t expected = 0, got = 0;  ///< raw bits of the model and of the RTL
   std::optional<BeamPlace> place;       ///< of the chip's traffic only
   std::string text;                     ///< explained
+  std::optional<ShrunkDifference> shrunk{};
 };
 
 /// What a comparison of one unit found.
 struct UnitVerdict {
-  std::string unit, traffic;  ///< traffic: "chip", "random" or "walk"
+  std::string unit, traffic;  ///< traffic: "chip", "random", "walk" or "stream"
   std::uint64_t clocks = 0;   ///< compared
   std::uint64_t masked = 0;   ///< compares of an output left out
   std::uint64_t differences = 0;
@@ -35,9 +46,6 @@ struct UnitVerdict {
   std::optional<FirstDifference> first;
   std::string fault;  ///< what ended the RTL before the comparison was over; or empty
 };
-
-/// What drives a unit alone: RandomTraffic, or the UnitWalk of its engine's row.
-enum class Stimulus { Random, Walk };
 
 /// Compares model and RTL over `clocks` clocks of `stimulus`, up to a difference, a fault or
 /// an interrupt; a difference is explained and saved in `folder`; `repeat` is the command for it.
