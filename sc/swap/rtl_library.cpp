@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <sstream>
+#include <utility>
 
+#include "sc/swap/built_in_plugin.h"
 #include "sc/swap/rtl_run.h"
 
 namespace racebeam {
@@ -17,7 +20,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using Maker = std::function<rtl_model*()>;
+
+std::map<std::string, Maker>& built_in() {
+  static std::map<std::string, Maker> all;
+  return all;
+}
+
 std::shared_ptr<void> load(const std::string& path) {
+  if (built_in().count(path)) return nullptr;
   // A name without a slash would be looked for in the system's folders.
   void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library) return {library, dlclose};
@@ -28,6 +39,10 @@ std::shared_ptr<void> load(const std::string& path) {
 
 std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void>& library,
                                                       const std::string& path) {
+  if (const auto own = built_in().find(path); own != built_in().end()) {
+    rtl_model* model = own->second();
+    return {model, model->destroy};
+  }
   const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make_2"));
   if (!maker)
     throw RtlError(path + " is no plug-in of this racebeam; make one with `racebeam verilate`");
@@ -41,6 +56,13 @@ std::string widths(int wanted, int got) {
 }
 
 }  // namespace
+
+built_in_plugin::built_in_plugin(std::function<rtl_model*()> make) {
+  static int number = 0;
+  name_ = "built in: " + std::to_string(++number);
+  built_in()[name_] = std::move(make);
+}
+built_in_plugin::~built_in_plugin() { built_in().erase(name_); }
 
 rtl_library::rtl_library(const std::string& plugin)
     : library_(load(plugin)), model_(make(library_, plugin)) {}

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <type_traits>
 
 #include "sc/base/unit.h"
 
@@ -26,37 +27,101 @@ std::uint64_t read(const rtl_port& port) {
 
 }  // namespace
 
-BareRtl::BareRtl(const std::string& plugin, const PortTraffic& traffic) : library_(plugin) {
-  for (std::size_t n = 0; n < traffic.ports.size(); ++n) {
-    const PortTraffic::Port& port = traffic.ports[n];
-    const rtl_port& rtl = rtl_port_of(library_.model(), port.name);
+BareRtl::BareRtl(const std::string& plugin, const PortTraffic& traffic)
+    : BareRtl(plugin, traffic.ports) {}
+
+BareRtl::BareRtl(const std::string& plugin, const std::vector<PortTraffic::Port>& ports)
+    : library_(plugin), ports_(ports.size()) {
+  for (std::size_t n = 0; n < ports.size(); ++n) {
+    const PortTraffic::Port& port = ports[n];
+    if (port.optional && !has_rtl_port(model(), port.name)) continue;
+    const rtl_port& rtl = rtl_port_of(model(), port.name);
     if (rtl.bits != port.bits || (rtl.is_input != 0) != port.input)
-      throw RtlError(fmt::format("{}: port {} is {} bits of {} instead of {} bits of {}",
-                                 rtl_place(library_.model()), port.name, rtl.bits,
-                                 rtl.is_input ? "input" : "output", port.bits,
-                                 port.input ? "input" : "output"));
+      throw RtlError(fmt::format(
+          "{}: port {} is {} bits of {} instead of {} bits of {}", rtl_place(model()), port.name,
+          rtl.bits, rtl.is_input ? "input" : "output", port.bits, port.input ? "input" : "output"));
     (port.input ? inputs_ : outputs_).push_back({n, &rtl});
+    each_size([&](auto& alike) {
+      using Raw = std::remove_pointer_t<decltype(alike.inputs[0].data)>;
+      if (rtl.bytes != sizeof(Raw)) return;
+      (port.input ? alike.inputs : alike.outputs).push_back({n, static_cast<Raw*>(rtl.data)});
+    });
   }
 }
 
 void BareRtl::hold(const std::string& input, std::uint64_t value) {
-  write(rtl_port_of(library_.model(), input), value);
+  write(rtl_port_of(model(), input), value);
+  settled_ = false;
+}
+
+// Whether an input has moved.
+bool BareRtl::put(const std::uint64_t* row) {
+  bool moved = false;
+  each_size([&](auto& alike) {
+    for (const auto& in : alike.inputs) {
+      const auto value = static_cast<std::remove_reference_t<decltype(*in.data)>>(row[in.port]);
+      moved |= value != *in.data;
+      *in.data = value;
+    }
+  });
+  return moved;
+}
+
+bool BareRtl::says(const std::uint64_t* row) {
+  bool equal = true;
+  each_size([&](auto& alike) {
+    for (const auto& out : alike.outputs) equal &= *out.data == row[out.port];
+  });
+  return equal;
+}
+
+// After an edge all has settled: RTL whose inputs have not moved needs no evaluation.
+void BareRtl::settle(const std::uint64_t* row) {
+  if (!put(row) && settled_) return;
+  library_.eval();
+  settled_ = true;
+}
+
+std::uint64_t BareRtl::value(std::size_t port) const {
+  for (const auto* side : {&inputs_, &outputs_})
+    for (const Joint& joint : *side)
+      if (joint.port == port) return read(*joint.rtl);
+  return 0;
+}
+
+bool BareRtl::has(std::size_t port) const {
+  for (const auto* side : {&inputs_, &outputs_})
+    for (const Joint& joint : *side)
+      if (joint.port == port) return true;
+  return false;
+}
+
+void BareRtl::drive(const std::uint64_t* rows, std::uint64_t clocks) {
+  for (; clocks > 0; --clocks, rows += ports_) {
+    settle(rows);
+    edge();
+  }
+}
+
+std::optional<TrafficDifference> BareRtl::run(const std::uint64_t* rows, std::uint64_t clocks,
+                                              bool compared) {
+  for (std::uint64_t clock = 0; clock < clocks; ++clock, rows += ports_) {
+    settle(rows);
+    if ((clock > 0 || compared) && !says(rows))
+      for (const Joint& out : outputs_)
+        if (const std::uint64_t got = read(*out.rtl); got != rows[out.port])
+          return TrafficDifference{clock, out.port, rows[out.port], got};
+    edge();
+  }
+  return std::nullopt;
 }
 
 std::optional<TrafficDifference> BareRtl::run(const PortTraffic& traffic, std::uint64_t from,
                                               std::uint64_t to) {
-  for (std::uint64_t clock = from; clock < to; ++clock) {
-    const std::uint64_t* row = traffic.row(clock);
-    for (const Joint& in : inputs_) write(*in.rtl, row[in.port]);
-    library_.eval();
-    if (begun_)
-      for (const Joint& out : outputs_)
-        if (const std::uint64_t got = read(*out.rtl); got != row[out.port])
-          return TrafficDifference{clock, out.port, row[out.port], got};
-    library_.rise();
-    begun_ = true;
-  }
-  return std::nullopt;
+  if (from >= to) return std::nullopt;
+  auto found = run(traffic.row(from), to - from, begun_);
+  if (found) found->clock += from;
+  return found;
 }
 
 }  // namespace racebeam

@@ -25,26 +25,69 @@ struct TrafficDifference {
 class BareRtl {
  public:
   /// Joins its ports to those of `traffic` by name; inputs that the traffic does not have stay 0
-  /// until hold() says otherwise. Throws RtlError: no plug-in, ports of the traffic that are
-  /// missing or wrongly sized.
+  /// until hold() says otherwise, and optional ports that the RTL does not have are left out.
+  /// Throws RtlError: no plug-in, ports of the traffic that are missing or wrongly sized.
   BareRtl(const std::string& plugin, const PortTraffic& traffic);
+  BareRtl(const std::string& plugin, const std::vector<PortTraffic::Port>& ports);
 
   /// The value of an input that the traffic does not have, such as the number of a mutant. Throws
   /// RtlError if there is no such input.
   void hold(const std::string& input, std::uint64_t value);
   /// Goes on through the clocks `from` (included) to `to` (excluded) of traffic with the same
   /// ports, up to the first output that is not as recorded; the outputs of its first
-  /// clock are not compared. Throws RtlFault.
+  /// clock ever are not compared. Throws RtlFault.
   std::optional<TrafficDifference> run(const PortTraffic& traffic, std::uint64_t from,
                                        std::uint64_t to);
+
+  /// The same of rows alone, `clocks` of them: up to a difference, with its row, in the outputs
+  /// of all rows but of the first one unless that is `compared` too.
+  std::optional<TrafficDifference> run(const std::uint64_t* rows, std::uint64_t clocks,
+                                       bool compared);
+  /// Clocks whose outputs are not compared.
+  void drive(const std::uint64_t* rows, std::uint64_t clocks);
+
+  /// One clock in two halves: the inputs of a row and what follows from them, then the edge.
+  void settle(const std::uint64_t* row);
+  void edge() {
+    library_.rise();
+    begun_ = true;
+  }
+  /// An output as it has settled, or an input; 0 of a port that the RTL does not have.
+  std::uint64_t value(std::size_t port) const;
+
+  /// Whether the RTL has a port; it may do without an optional one.
+  bool has(std::size_t port) const;
+
+  const rtl_model& model() const { return library_.model(); }
 
  private:
   struct Joint {
     std::size_t port;  // of the traffic
     const rtl_port* rtl;
   };
+  /// Ports of one size.
+  template <class Raw>
+  struct Alike {
+    struct Port {
+      std::size_t port;
+      Raw* data;
+    };
+    std::vector<Port> inputs, outputs;
+  };
+  template <class Work>
+  void each_size(const Work& work) {
+    work(bytes_), work(halves_), work(words_), work(doubles_);
+  }
+  bool put(const std::uint64_t* row);
+  bool says(const std::uint64_t* row);
 
   rtl_library library_;
+  const std::size_t ports_;
+  Alike<std::uint8_t> bytes_;
+  Alike<std::uint16_t> halves_;
+  Alike<std::uint32_t> words_;
+  Alike<std::uint64_t> doubles_;
+  bool settled_ = false;  // what follows from the inputs is there
   std::vector<Joint> inputs_, outputs_;
   bool begun_ = false;  // it has had a clock
 };

@@ -12,7 +12,7 @@ PortTraffic traffic_of(const std::string& unit, const UnitBench& bench) {
   PortTraffic traffic;
   traffic.unit = unit;
   for (const UnitBench::Pin* pin : bench.pins())
-    traffic.ports.push_back({pin->name, pin->bits, pin->input});
+    traffic.ports.push_back({pin->name, pin->bits, pin->input, pin->optional});
   return traffic;
 }
 

@@ -18,6 +18,7 @@ struct PortTraffic {
     std::string name;
     int bits;
     bool input;
+    bool optional = false;  ///< RTL may do without it
   };
 
   std::string unit;

@@ -16,7 +16,8 @@ constexpr int WidestPort = 64;
 template <int Bits>
 class WirePin : public UnitBench::Pin {
  public:
-  WirePin(const std::string& name, bool input) : Pin(name, Bits, input), wire_(name.c_str()) {}
+  WirePin(const std::string& name, bool input, bool optional)
+      : Pin(name, Bits, input, optional), wire_(name.c_str()) {}
   std::uint64_t value() const override { return static_cast<std::uint64_t>(wire_.read()); }
   void drive(std::uint64_t value) override {
     wire_.write(static_cast<wire_type<Bits>>(raw_bits(value, Bits)));
@@ -46,7 +47,8 @@ bool UnitBench::add(sc_core::sc_object* port) {
       return true;
     }
   }
-  auto pin = std::make_unique<WirePin<Bits>>(port->basename(), in != nullptr);
+  const bool optional = in ? in->is_optional() : out->is_optional();
+  auto pin = std::make_unique<WirePin<Bits>>(port->basename(), in != nullptr, optional);
   if (in) in->bind(pin->wire_);
   else out->bind(pin->wire_);
   order_.push_back(pin.get());

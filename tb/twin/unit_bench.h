@@ -25,7 +25,8 @@ class UnitBench {
   /// The wire at a port.
   class Pin {
    public:
-    Pin(std::string name, int bits, bool input) : name(std::move(name)), bits(bits), input(input) {}
+    Pin(std::string name, int bits, bool input, bool optional)
+        : name(std::move(name)), bits(bits), input(input), optional(optional) {}
     virtual ~Pin() = default;
     /// Raw bits, as settled.
     virtual std::uint64_t value() const = 0;
@@ -35,7 +36,7 @@ class UnitBench {
 
     const std::string name;
     const int bits;
-    const bool input;
+    const bool input, optional;  ///< optional: RTL may do without it
   };
 
   /// Binds all ports of `unit`; ports named clk_i get the clock. Reset pins start at 0 (active).

@@ -1,0 +1,20 @@
+// Random traffic of a unit that counts frames: no episode is long enough to count there, so it is
+// put to one.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "sc/swap/rtl_instance.h"
+#include "tb/twin/random_traffic.h"
+
+namespace racebeam {
+
+/// When an episode of `traffic` begins, a `model` with a back door for it begins some frame of so
+/// many, one in four times the last; `beside` does what it is given to RTL beside the model.
+void seek_at_episodes(RandomTraffic& traffic, sc_core::sc_module& model, int frames,
+                      const std::function<void(const std::function<void(rtl_instance&)>&)>& beside);
+
+}  // namespace racebeam
