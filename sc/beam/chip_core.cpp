@@ -4,6 +4,8 @@
 
 #include <tuple>
 
+#include "sc/beam/chip_wires.h"
+
 namespace racebeam {
 
 namespace {
@@ -30,23 +32,21 @@ void look_up(const scene_program* program, int flags, int id,
   }
 }
 
-}  // namespace
+/// A clock of all units but pwm_sound: the pins uo. `view` and `wires` receive wires if given.
+[[gnu::always_inline]] inline int clock_units(chip_core& chip, bool rst_n, const knobs& k,
+                                              chip_view* view, chip_wires* wires) {
+  const scene_program* const program = chip.program;
+  vga_timing_core& vga_timing = chip.vga_timing;
+  sequencer_core& sequencer = chip.sequencer;
+  timeline_core& timeline = chip.timeline;
+  camera_unit_core& camera_unit = chip.camera_unit;
+  ray_stepper_core& ray_stepper = chip.ray_stepper;
+  subdivider_core& subdivider = chip.subdivider;
+  stacks_core& stacks = chip.stacks;
+  decision_datapath_core& decision_datapath = chip.decision_datapath;
+  navigator_core& navigator = chip.navigator;
+  interval_fifo_core& interval_fifo = chip.interval_fifo;
 
-chip_core::chip_core(const scene_program* program)
-    : program(program), navigator(navigator_core::at_power_up(program != nullptr)) {
-  if (program) timeline.seek(0, *program);
-}
-
-chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
-  const auto t = vga_timing.comb({rst_n, k.speed}, k.clocks_per_pixel);
-  const pwm_sound_core::inputs sound_in{rst_n, k.speed, t.x2, t.y, frame()};
-  const bool pwm = pwm_sound.comb().pwm;
-  const int uo = clock_video(rst_n, k, view);
-  pwm_sound.clock(sound_in);
-  return {uo, pwm};
-}
-
-int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   // 1 to 3: raster, FIFO flags, conductor.
   const vga_timing_core::inputs timing_in{rst_n, k.speed};
   const auto t = vga_timing.comb(timing_in, k.clocks_per_pixel);
@@ -131,7 +131,7 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
       k);
   if (view)
     *view = {t.y,
-             frame(),
+             chip.frame(),
              t.line_end,
              t.consume,
              camera_unit.run(),
@@ -155,8 +155,49 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
              fifo_in.value,
              s.lock};
 
-  // The edge.
   const bool face_write = decision_datapath.face_write(place);
+  if (wires) {
+    chip_wires& w = *wires;
+    w.rst_n = rst_n, w.speed = k.speed, w.no_interlace = !k.interlace;
+    w.x2 = t.x2, w.y = t.y, w.hsync_n = t.hsync_n, w.vsync_n = t.vsync_n, w.active = t.active;
+    w.h_active = t.h_active, w.consume = t.consume, w.line_end = t.line_end;
+    w.active_start = t.active_start, w.frame_end = t.frame_end, w.nav_line = t.nav_line;
+    w.src = camera_unit.source(line_reset, move.step);
+    w.angle = program ? timeline.angle(w.src, t.y, *program) : sequencer.angle(w.src, t.y);
+    w.frame = chip.frame(), w.scene_flags = s.scene_flags, w.palette = s.palette;
+    w.colours = s.colours, w.shading_b = s.shading_b, w.scene_interlace = s.scene_interlace;
+    w.lock = s.lock, w.inverse = s.inverse, w.nav_reset = s.nav_reset, w.start = s.start;
+    w.start_room = s.start_room, w.velocity = s.velocity;
+    w.run = camera_unit.run(), w.tracer_reset = tracer_reset, w.load = control.load;
+    w.load_zero = control.load_zero, w.ext = control.ext, w.copy_ext = control.copy;
+    w.ext_sign = control.ext_sign, w.axis_mask = control.axis_mask, w.delta = control.delta;
+    w.idx_load = control.idx_load, w.idx_start = control.idx_start, w.i2_init = control.i2_init;
+    w.dr1 = ray_stepper.dr1_q, w.dr2 = ray_stepper.dr2_q;
+    w.state = subdivider.state_q, w.descend = move.descend, w.climb = move.climb;
+    w.restart = move.restart, w.emit = fifo_in.emit, w.cur = move.cur, w.leave = move.leave;
+    w.ray_signs = subdivider.signs(), w.len_m1 = fifo_in.len_m1, w.idx2 = subdivider.idx2_q;
+    w.i2 = subdivider.i2_q, w.step = move.step, w.neg = move.neg, w.copy_sub = move.copy_sub;
+    w.push_en = move.push, w.step_size = move.step_size, w.sp = subdivider.sp_q;
+    w.sd = subdivider.sd_q, w.line_done = subdivider.line_done_q;
+    w.top_tag = top.tag, w.top_i2 = top.i2, w.fread = place.face_read;
+    w.dec = sub.dec, w.mask = sub.mask, w.tag = sub.tag, w.wall = sub.wall;
+    w.second = sub.second, w.fwrite = face_write, w.fdata = decision_datapath.face_code();
+    w.hit_face = decision_datapath.hit_face_q, w.room = decision_datapath.room_q;
+    const auto look = decision_datapath.look(place, k);
+    w.look_axis = look.axis, w.look_way = look.way, w.look_signs = look.signs;
+    w.look_portal = look.portal, w.corner = decision_datapath.corner_q;
+    w.half_size = place.half_size, w.position = place.position, w.neighbour = place.neighbour;
+    w.back = place.back, w.edges = place.edges;
+    w.nav_position = navigator.position_q, w.nav_room = navigator.room_q, w.nav_axis = nav.axis;
+    w.nav_portal = navigator.portal_q, w.nav_negative = nav.negative, w.nav_move = nav.move;
+    w.nav_op = nav.op, w.ack = sub.ack, w.starving = starving;
+    const int display = interval_fifo.display(k);
+    w.display = display & IndexMask, w.display_half = display >= HalfTone;
+    w.value = value & IndexMask, w.half = value >= HalfTone, w.fill = interval_fifo.fill(k);
+    w.uo = uo;
+  }
+
+  // The edge.
   stacks.clock({move.push, sub.tag, subdivider.i2_q, subdivider.sp_q, face_write,
                 decision_datapath.face_code(), decision_datapath.depth_q},
                k);
@@ -172,6 +213,32 @@ int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
   else sequencer.clock(choose);
   vga_timing.clock(timing_in, k.clocks_per_pixel);
   return uo;
+}
+
+}  // namespace
+
+chip_core::chip_core(const scene_program* program)
+    : program(program), navigator(navigator_core::at_power_up(program != nullptr)) {
+  if (program) timeline.seek(0, *program);
+}
+
+chip_core::pins chip_core::clock(bool rst_n, const knobs& k, chip_view* view) {
+  const auto t = vga_timing.comb({rst_n, k.speed}, k.clocks_per_pixel);
+  const pwm_sound_core::inputs sound_in{rst_n, k.speed, t.x2, t.y, frame()};
+  const bool pwm = pwm_sound.comb().pwm;
+  const int uo = clock_video(rst_n, k, view);
+  pwm_sound.clock(sound_in);
+  return {uo, pwm};
+}
+
+int chip_core::clock_video(bool rst_n, const knobs& k, chip_view* view) {
+  return clock_units(*this, rst_n, k, view, nullptr);
+}
+
+void clock_wires(chip_core& chip, bool rst_n, const knobs& k, chip_wires& wires) {
+  wires.pwm = chip.pwm_sound.comb().pwm;
+  clock_units(chip, rst_n, k, nullptr, &wires);
+  chip.pwm_sound.clock({rst_n, k.speed, wires.x2, wires.y, wires.frame});
 }
 
 bool chip_core::same_video(const chip_core& other) const {
