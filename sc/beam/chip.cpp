@@ -50,6 +50,7 @@ chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_prog
       u_interval_fifo(make<interval_fifo>(choices, "u_interval_fifo", k)),
       u_pixel_output(make<pixel_output>(choices, "u_pixel_output", k)),
       u_pwm_sound(make<pwm_sound>(choices, "u_pwm_sound", k)),
+      stalls_(channel_stalls::make(*this, clk_i)),
       knobs_(k),
       program_(program) {
   bind_raster_and_camera();
@@ -116,7 +117,7 @@ void chip::bind_raster_and_camera() {
     u.axis_mask_o(axis_mask);
     u.delta_o.bind(delta);
     u.copy_ext_o(copy_ext);
-    u.step_i(step);
+    bind_channel(stalls_, u.step_i, step);
     u.idx_load_o(idx_load);
     u.idx_start_o(idx_start);
     u.i2_init_o(i2_init);
@@ -173,7 +174,7 @@ void chip::bind_tracer() {
     u.dec_i(dec);
     u.mask_i(mask);
     u.wall_i(wall);
-    u.second_i(second);
+    bind_channel(stalls_, u.second_i, second);
     u.tag_i(tag);
     u.descend_o(descend);
     u.climb_o(climb);
@@ -183,7 +184,7 @@ void chip::bind_tracer() {
     u.restart_o(restart);
     u.emit_o(emit);
     u.len_m1_o(len_m1);
-    u.ack_i(ack);
+    bind_channel(stalls_, u.ack_i, ack);
     u.starving_i(starving);
     u.step_o(step);
     u.neg_o(neg);
@@ -240,7 +241,7 @@ void chip::bind_tracer() {
     u.wall_o(wall);
     u.second_o(second);
     u.descend_i(descend);
-    u.climb_i(climb);
+    bind_channel(stalls_, u.climb_i, climb);
     u.cur_i(cur);
     u.leave_i(leave);
     u.ray_signs_i(ray_signs);
@@ -282,7 +283,7 @@ void chip::bind_output() {
     auto& u = *u_interval_fifo;
     u.clk_i(clk_i);
     u.tracer_reset_i(tracer_reset);
-    u.emit_i(emit);
+    bind_channel(stalls_, u.emit_i, emit);
     u.len_m1_i(len_m1);
     u.value_i(value);
     u.half_i(half);

@@ -25,6 +25,7 @@
 #include "sc/beam/stats_collector.h"
 #include "sc/beam/subdivider.h"
 #include "sc/beam/timeline.h"
+#include "sc/swap/channel_stalls.h"
 #include "sc/video/vga_timing.h"
 
 namespace racebeam {
@@ -142,6 +143,8 @@ class chip final : public wired_chip {
   const std::unique_ptr<pwm_sound_pins> u_pwm_sound;
 
  private:
+  const std::unique_ptr<channel_stalls> stalls_;
+
   void bind_raster_and_camera();
   void bind_tracer();
   void bind_output();

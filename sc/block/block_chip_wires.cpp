@@ -48,7 +48,7 @@ void block_chip::bind_core(block_core_place& place) {
   u.job_valid_i(place.job_valid);
   u.job_x_i(job_x);
   u.job_y_i(job_y);
-  u.job_ready_o(place.job_ready);
+  bind_channel(stalls_, u.job_ready_o, place.job_ready);
   u.busy_o(place.busy);
   u.write_i(write);
   u.field_i(field);
@@ -63,10 +63,10 @@ void block_chip::bind_core(block_core_place& place) {
   u.ay_i(ay_i);
   u.cone_sine_i(cone_sine_i);
   u.cone_cosine2_i(cone_cosine2_i);
-  u.word_valid_o(place.word_valid);
+  bind_channel(stalls_, u.word_valid_o, place.word_valid);
   u.word_address_o(place.word_address);
   u.word_o(place.word);
-  u.word_ready_i(place.word_ready);
+  bind_channel(stalls_, u.word_ready_i, place.word_ready);
   u.state_o(place.state);
   u.event_o(place.event_told);
 }
@@ -80,11 +80,11 @@ void block_chip::bind_bus() {
     u.word_ready_o(word_ready);
     u.core_o(core);
     u.bus_valid_o(bus_valid);
-    u.bus_ready_i(put_ready);
+    bind_channel(stalls_, u.bus_ready_i, put_ready);
   }
   auto& u = *u_write_buffer;
   u.rst_ni(rst_ni);
-  u.put_valid_i(bus_valid);
+  bind_channel(stalls_, u.put_valid_i, bus_valid);
   u.put_address_i(put_address);
   u.put_data_i(put_data);
 }

@@ -213,12 +213,12 @@ void sphere_chip::bind_tracer() {
     u.root_start_o(root_start);
     u.radicand_o(radicand);
     u.root_i(root);
-    u.root_done_i(root_done);
+    bind_channel(stalls_, u.root_done_i, root_done);
     u.divider_start_o(divider_start);
     u.numerator_o.bind(numerator);
     u.denominator_o(denominator);
     u.quotient_i.bind(quotient);
-    u.divider_done_i(divider_done);
+    bind_channel(stalls_, u.divider_done_i, divider_done);
     u.shader_op_o(shader_op);
     u.base_red_o(base_red);
     u.base_green_o(base_green);
@@ -230,7 +230,7 @@ void sphere_chip::bind_tracer() {
     u.weight_i(weight);
     u.word_valid_o(word_valid);
     u.word_address_o(word_address);
-    u.word_ready_i(put_ready);
+    bind_channel(stalls_, u.word_ready_i, put_ready);
     u.state_o(state);
   }
 }
@@ -238,7 +238,7 @@ void sphere_chip::bind_tracer() {
 void sphere_chip::bind_buffer() {
   auto& u = *u_write_buffer;
   u.rst_ni(rst_n);
-  u.put_valid_i(word_valid);
+  bind_channel(stalls_, u.put_valid_i, word_valid);
   u.put_address_i(word_address);
   u.put_data_i(word);
 }

@@ -12,7 +12,8 @@ picture_chip::picture_chip(const sc_core::sc_module_name& name, const store_knob
       u_write_buffer(units.make<write_buffer>(k)),
       u_store_arbiter(units.make<store_arbiter>(k)),
       u_frame_memory("u_frame_memory", k),
-      u_frame_scanout(units.make<frame_scanout>(k)) {
+      u_frame_scanout(units.make<frame_scanout>(k)),
+      stalls_(channel_stalls::make(*this, clk_i)) {
   bind_raster();
   bind_store();
   SC_HAS_PROCESS(picture_chip);
@@ -87,7 +88,7 @@ void picture_chip::bind_store() {
     u.take_valid_o(take_valid);
     u.take_address_o(take_address);
     u.take_data_o(take_data);
-    u.take_ready_i(take_ready);
+    bind_channel(stalls_, u.take_ready_i, take_ready);
     u.fill_o(fill);
   }
   {
@@ -96,7 +97,7 @@ void picture_chip::bind_store() {
     u.read_address_i(read_address);
     u.sync_i(sync);
     u.blank_i(blank);
-    u.take_valid_i(take_valid);
+    bind_channel(stalls_, u.take_valid_i, take_valid);
     u.take_address_i(take_address);
     u.take_data_i(take_data);
     u.take_ready_o(take_ready);

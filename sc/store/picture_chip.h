@@ -20,6 +20,7 @@
 #include "sc/store/store_arbiter.h"
 #include "sc/store/store_counters.h"
 #include "sc/store/write_buffer.h"
+#include "sc/swap/channel_stalls.h"
 #include "sc/swap/unit_maker.h"
 #include "sc/video/vga_timing.h"
 
@@ -70,6 +71,8 @@ class picture_chip : public wired_chip {
   const std::unique_ptr<frame_scanout_pins> u_frame_scanout;
 
  protected:
+  const std::unique_ptr<channel_stalls> stalls_;  // nullptr: no channel stalls
+
   /// `clocks_per_pixel`: of the raster. Throws RtlError.
   picture_chip(const sc_core::sc_module_name& name, const store_knobs& k, int clocks_per_pixel,
                const unit_maker& units);
