@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sc/base/constants.h"
+#include "sc/swap/channel_stalls.h"
 #include "sc/swap/rtl_parameters.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
@@ -60,6 +61,7 @@ struct WiredBench::Platform {
   wire<1> hsync_n{"hsync_n"}, vsync_n{"vsync_n"};
   wire<DacProbe::Bits> red{"red"}, green{"green"}, blue{"blue"};
   const std::unique_ptr<wired_chip> dut;
+  channel_stalls* const stalls;  // nullptr: nothing stalls
   VgaFrame picture;
   VgaMonitor vga;
   std::unique_ptr<SoundMonitor> sound;
@@ -96,6 +98,7 @@ struct WiredBench::Platform {
         raster(raster_of(s.built, s.k)),
         clk("clk", period, 0.5, period),
         dut(s.built.make_signal("chip", s.k, s.scene, s.units)),
+        stalls(channel_stalls::of(*dut)),
         vga(
             raster, [this](const VgaFrame& f) { picture = f; }, {w.crc, w.crc}, nullptr,
             tiny_vga() ? TinyVga : converter_pinout(dut->video().bits)),
@@ -122,6 +125,7 @@ struct WiredBench::Platform {
     dut->set_pins();
     rst_n.write(true);
     if (around) around->seek(0);
+    if (stalls) stalls->begin(0);
   }
 };
 
@@ -171,11 +175,15 @@ void WiredBench::seek(int frame) {
     lockstep->deposit(
         [&](rtl_instance& rtl) { p.dut->deposit_beside(lockstep->unit(), rtl, frame); });
   if (p.around) p.around->seek(frame);
+  if (p.stalls) p.stalls->begin(static_cast<std::uint64_t>(frame));
   p.next_frame = frame;
 }
 
 void WiredBench::advance(int clocks) {
   Platform& p = *platform_;
+  // What stalls in a frame does not depend on the frames before it.
+  if (p.stalls && !p.around && p.frame_clock == 0)
+    p.stalls->begin(static_cast<std::uint64_t>(p.next_frame));
   const int end = p.frame_clock + std::min(clocks, p.raster.frame_clocks() - p.frame_clock);
   for (bool begins = true; p.frame_clock < end; begins = false) {
     if (!begins && interrupted()) throw Interrupted();

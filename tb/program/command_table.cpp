@@ -10,6 +10,7 @@
 #include "tb/program/command_render.h"
 #include "tb/program/command_report.h"
 #include "tb/program/command_scene.h"
+#include "tb/program/command_shake.h"
 #include "tb/program/command_signoff.h"
 #include "tb/program/command_sweep.h"
 #include "tb/program/command_trace.h"
@@ -22,9 +23,9 @@ namespace racebeam {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      render_row(),  view_row(),     explain_row(), trace_row(),  scene_row(), verify_row(),
-      signoff_row(), verilate_row(), units_row(),   knobs_row(),  sweep_row(), report_row(),
-      compare_row(), claims_row(),   bench_row(),   doctor_row(),
+      render_row(), view_row(),    explain_row(),  trace_row(), scene_row(),  verify_row(),
+      shake_row(),  signoff_row(), verilate_row(), units_row(), knobs_row(),  sweep_row(),
+      report_row(), compare_row(), claims_row(),   bench_row(), doctor_row(),
   };
   return table;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "sc/swap/channel_stalls.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
@@ -130,6 +131,8 @@ int command_trace(const TraceOptions& options) {
   }
   if (window && !options.picture.empty())
     check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
+  if (options.transactions() && !options.shake.empty())
+    throw UsageError("--shake stalls wires of --level signal; leave out --level tlm, or --shake");
   if (options.transactions()) expect_rooms(run.show, "trace --level tlm");
   if (options.transactions())
     return writer.write_frames(
@@ -140,8 +143,10 @@ int command_trace(const TraceOptions& options) {
         raster, clock_period_ps(run.show.engine().video(run.k).clocks_per_pixel), *window);
 
   use_units(run, options.units, true);
+  leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
+  const planned_stalls stalls(stall_plan_of(run.show.engine(), options));
   WiredBench bench(setting_of(run));
   if (!window) return watch(options, reader, bench, raster, writer);
   TraceRun traced(bench, raster, window->from.frame);
@@ -203,6 +208,7 @@ void add_options(const CommandOptions& command, TraceOptions& options) {
       .capture_default_str();
   add_tt_options(command, options);
   add_run_options(command, options);
+  add_shake_options(command, options);
   list("--use", options.units, "UNIT=IMPLEMENTATION",
        "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
   command.add_option("--diff", options.diff, "Instead of a scene: compare two files")

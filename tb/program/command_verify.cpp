@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "sc/swap/channel_stalls.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
@@ -68,9 +69,9 @@ std::string repeat_text(const VerifyOptions& options, const std::string& unit,
 }
 std::string repeat_text(const VerifyOptions& options, const std::string& unit, long long frames,
                         long long random) {
-  return repeat_text(
-      options, unit,
-      fmt::format(" --frames {} --random {} --seed {}", frames, random, options.seed));
+  return repeat_text(options, unit,
+                     fmt::format(" --frames {} --random {} --seed {}{}", frames, random,
+                                 options.seed, options.text()));
 }
 
 /// The first clock of a frame or picture, as `trace --from` takes it.
@@ -83,7 +84,8 @@ std::string closer_text(const VerifyOptions& options, const std::string& unit,
                         const std::string& from) {
   const std::string word = word_of(options, unit), file = word.substr(unit.size());
   const std::string use = unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
-  return trace_command(options.scene, from, unit, " --use " + use + options.set_text());
+  return trace_command(options.scene, from, unit,
+                       " --use " + use + options.set_text() + options.text());
 }
 
 /// All units at once, in the chip, over frames spread over the show, until each has differed or
@@ -93,6 +95,7 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   const auto start = std::chrono::steady_clock::now();
   WiredBench::Watches watches;
   watches.outlive_faults = true;
+  const planned_stalls stalls(stall_plan_of(show.engine(), options));
   WiredBench bench({show.engine(), k, show.tables(), show.frames(), choices}, watches);
   const Raster raster = raster_of(show.engine(), k);
   std::vector<int> frames;
@@ -245,6 +248,9 @@ Run plan_verify(const VerifyOptions& options) {
   if (frames > run.show.frames())
     throw UsageError(
         fmt::format("--frames {} is out of range; the scene has {}", frames, run.show.frames()));
+  stall_plan_of(run.show.engine(), options);
+  if (!options.shake.empty() && frames == 0)
+    throw UsageError("--shake stalls the chip's own traffic; leave out --frames 0, or --shake");
   try_folder(options.folder);  // a difference may be found after an hour
   return run;
 }
@@ -254,6 +260,7 @@ int command_verify(const VerifyOptions& options) {
   const UseOption use(show.engine(), k, show.tables());
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
+  leave_out_whole_chip(show.engine(), options, options.units, choices);
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;
   const bool streams = !options.stream.empty();
@@ -312,6 +319,7 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
                  is_number_in("--random", 0, MostRandomClocks))
           .capture_default_str();
   add_run_options(command, options);
+  add_shake_options(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
       .capture_default_str();

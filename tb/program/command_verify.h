@@ -9,11 +9,12 @@
 
 #include "tb/program/command.h"
 #include "tb/show/run.h"
+#include "tb/twin/channels.h"
 
 namespace racebeam {
 
 /// `units`: UNIT, UNIT=FILE or all; none: all.
-struct VerifyOptions : RunOptions {
+struct VerifyOptions : RunOptions, ShakeOptions {
   VerifyOptions() { scene = "demo"; }
 
   /// Of the scene, evenly spread; 0: no chip traffic; UsualFrames: 60, or 2 whole pictures of an

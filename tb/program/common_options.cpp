@@ -29,6 +29,19 @@ void add_set_option(const CommandOptions& command, RunOptions& options) {
       .repeatable();
 }
 
+void add_shake_options(const CommandOptions& command, ShakeOptions& options) {
+  command
+      .add_option(
+          "--shake", options.shake,
+          "Stall the handshakes between units at random, in bursts that begin and go on "
+          "with these probabilities in each clock (0.05, 0.75); `racebeam shake --channels`")
+      .type_name("SEED[,BEGIN,GO_ON]")
+      .check(not_empty);
+  command.add_option("--stall", options.stalls, "With --shake: this channel only; repeatable")
+      .type_name("CHANNEL")
+      .repeatable();
+}
+
 void add_tt_options(const CommandOptions& command, TtOptions& options) {
   command
       .add_option("--tt", options.project,

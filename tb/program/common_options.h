@@ -8,6 +8,7 @@
 #include "tb/program/number_option.h"
 #include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
+#include "tb/twin/channels.h"
 
 namespace racebeam {
 
@@ -28,6 +29,8 @@ void add_run_options(const CommandOptions& command, RunOptions& options);
 /// --set alone, where scenes are of one engine.
 void add_set_option(const CommandOptions& command, RunOptions& options);
 
+/// --shake and --stall, of a command that runs the wired chip.
+void add_shake_options(const CommandOptions& command, ShakeOptions& options);
 /// The options of a Tiny Tapeout chip, of a command that can run one.
 void add_tt_options(const CommandOptions& command, TtOptions& options);
 

@@ -17,6 +17,7 @@
 #include "tb/show/open_show.h"
 #include "tb/trace/beam_trigger.h"
 #include "tb/trace/trace_options.h"
+#include "tb/twin/channels.h"
 #include "tb/twin/use_option.h"
 #include "tb/view/frame_maps.h"
 
@@ -124,6 +125,7 @@ const std::map<std::string, WordsOf>& table() {
       {"LEVEL", always([] {
          return Words{LevelTlm, LevelSignal};
        })},
+      {"CHANNEL", always(channel_names)},
       {"ENGINE",
        always([] { return words_of(engines(), [](const engine* one) { return one->name; }); })},
       {"MAP", maps},

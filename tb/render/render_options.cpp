@@ -18,6 +18,7 @@
 #include "tb/render/output_folder.h"
 #include "tb/render/picture_plan.h"
 #include "tb/render/unit_files.h"
+#include "tb/show/level.h"
 #include "tb/show/open_show.h"
 #include "tb/wave/wave_file.h"
 
@@ -151,6 +152,17 @@ void check_show(const RenderOptions& options, RenderPlan& plan) {
     throw UsageError("--show hits has one golden map: --golden geometry");
 }
 
+// What stalls need.
+void check_stalls(const RenderPlan& plan) {
+  if (!plan.stalls) return;
+  if (plan.tracer) throw UsageError("--shake needs the chip; leave out --golden, or --shake");
+  if (plan.level != LevelSignal)
+    throw UsageError(
+        "--shake stalls wires of --level signal; tlm has none: leave out --level tlm, or --shake");
+  if (plan.jobs != 1 && !plan.show.engine().races_beam)
+    throw UsageError("stalls go on from picture to picture; leave out --jobs, or --shake");
+}
+
 // What several processes cannot do.
 void check_jobs(const RenderPlan& plan) {
   if (plan.jobs == 1) return;
@@ -254,16 +266,19 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
   refuse_tt_options(options);
-  const Run run = open_run(options, !options.vcd.empty());
+  const Run run = open_run(options, !options.vcd.empty() || !options.shake.empty());
   if (run.level == LevelTlm && !options.vcd.empty())
     throw UsageError(
         "--vcd shows the wires of --level signal; leave out --level tlm, or see `racebeam trace "
         "--level tlm`");
   RenderPlan plan{run, plan_output(options, run.show.frames()), tracer_of(options.golden),
                   options.golden == Compare};
+  plan.stalls = stall_plan_of(run.show.engine(), options);
+  check_stalls(plan);
   tell_of_wrap(plan);
   if (plan.tracer) plan.level = "golden " + options.golden;
   use_units(plan, options.units);
+  leave_out_whole_chip(plan.show.engine(), options, options.units, plan.units);
   plan.unit_files = unit_files(plan.units, options.units);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");

@@ -34,7 +34,8 @@ long long TraceOptions::lines_around() const { return lines.value_or(1); }
 
 bool TraceOptions::needs_run() const {
   return !(from + to + output).empty() || searches() || lines || pre || post || pixels ||
-         level != LevelSignal || !assignments.empty() || !units.empty();
+         level != LevelSignal || !assignments.empty() ||
+         !(units.empty() && shake.empty() && stalls.empty());
 }
 
 TraceSelection TraceOptions::selection() const {

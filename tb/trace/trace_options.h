@@ -13,6 +13,7 @@
 #include "tb/trace/signal_trace.h"
 #include "tb/trace/trace_window.h"
 #include "tb/tt/tt_options.h"
+#include "tb/twin/channels.h"
 
 namespace racebeam {
 
@@ -21,7 +22,7 @@ constexpr const char* Mismatch = "mismatch";
 
 /// The command line as it was written.
 /// `scene` may also be a waveform to draw; level tlm: transactions.
-struct TraceOptions : RunOptions, TtOptions {
+struct TraceOptions : RunOptions, TtOptions, ShakeOptions {
   TraceOptions() { level = LevelSignal; }
 
   std::string output, from, to;
