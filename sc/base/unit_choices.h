@@ -14,6 +14,7 @@ struct unit_choice {
   implementation driver = Model;  ///< drives the unit's wires
   bool lockstep = false;          ///< the RTL runs beside the model and is compared with it
   std::string plugin;             ///< of the RTL
+  std::string island{};           ///< instead, the plug-in of an rtl_island that the unit is in
 };
 
 /// By unit; units that are not named are models.

@@ -8,6 +8,7 @@
 #include "sc/beam/counters.h"
 #include "sc/beam/knob_parameters.h"
 #include "sc/beam/units.h"
+#include "sc/swap/rtl_island.h"
 #include "sc/swap/rtl_twin.h"
 
 namespace racebeam {
@@ -19,6 +20,7 @@ template <class Unit, class... More>
 std::unique_ptr<typename Unit::pins> make(const unit_choices& choices, const char* name,
                                           const knobs& k, const More&... more) {
   const unit_choice& choice = choices.of(Unit::unit_name);
+  if (!choice.island.empty()) return std::make_unique<rtl_shell<Unit>>(name, choice.island);
   if (choice.driver == unit_choice::Rtl)
     return std::make_unique<rtl_twin<Unit>>(name, knob_parameters(k), choice.plugin);
   if constexpr (std::is_constructible_v<Unit, const char*, const knobs&, const More&...>)
@@ -56,6 +58,7 @@ chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_prog
   bind_raster_and_camera();
   bind_tracer();
   bind_output();
+  islands_ = islands_of(*this);
 }
 
 void chip::bind_raster_and_camera() {

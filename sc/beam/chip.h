@@ -9,6 +9,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "sc/base/unit_choices.h"
 #include "sc/base/wired_chip.h"
@@ -29,6 +30,8 @@
 #include "sc/video/vga_timing.h"
 
 namespace racebeam {
+
+class rtl_island;
 
 class chip final : public wired_chip {
  public:
@@ -154,6 +157,7 @@ class chip final : public wired_chip {
   struct strap_wires;
   std::unique_ptr<strap_wires> straps_;  // pins that hold knobs
   stats_collector collector_;
+  std::vector<std::unique_ptr<rtl_island>> islands_;
 };
 
 }  // namespace racebeam

@@ -104,22 +104,15 @@ void rtl_instance::drive() {
 }
 
 void rtl_instance::seek(int frame) {
-  private_edges({{"rst_ni", 0}}, 1);
-  private_edges({{"rst_ni", 1}, {"frame_end_i", 1}}, frame);
+  seek_frame([this](const input_values& in, int edges) { private_edges(in, edges); }, frame);
 }
 
 void rtl_instance::place(const vec3& position, int room) {
-  private_edges({{"rst_ni", 1},
-                 {"nav_reset_i", 1},
-                 {"start_x_i", position[0]},
-                 {"start_y_i", position[1]},
-                 {"start_z_i", position[2]},
-                 {"start_room_i", room}},
-                1);
+  place_camera([this](const input_values& in, int edges) { private_edges(in, edges); }, position,
+               room);
 }
 
-void rtl_instance::private_edges(const std::vector<std::pair<const char*, int>>& inputs,
-                                 int edges) {
+void rtl_instance::private_edges(const input_values& inputs, int edges) {
   for (const auto& [name, value] : inputs) port(name).write(static_cast<std::uint64_t>(value));
   for (; edges > 0; --edges) edge();
   forget_inputs();

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
+#include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
 
@@ -36,7 +36,7 @@ class rtl_instance {
   void seek(int frame);
   void place(const vec3& position, int room);
   /// Edges of its own with these inputs, the others as they are; to be followed by settle().
-  void private_edges(const std::vector<std::pair<const char*, int>>& inputs, int edges);
+  void private_edges(const input_values& inputs, int edges);
 
   /// A port or signal of the RTL.
   class value {

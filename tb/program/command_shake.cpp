@@ -135,7 +135,7 @@ int command_shake(const ShakeCommandOptions& options) {
   Run run = held_back(options, held);
   const auto plan = stall_plan_of(run.show.engine(), options);
   const std::vector<int> numbers = numbers_of(options, run.show);
-  use_units(run, options.units);
+  use_units(run, options.units, false, false);
   leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   catch_interrupts();
   const char* const what = run.show.engine().races_beam ? "frame" : "picture";

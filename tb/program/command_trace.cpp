@@ -142,7 +142,7 @@ int command_trace(const TraceOptions& options) {
         },
         raster, clock_period_ps(run.show.engine().video(run.k).clocks_per_pixel), *window);
 
-  use_units(run, options.units, true);
+  use_units(run, options.units, true, options.shake.empty());
   leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");

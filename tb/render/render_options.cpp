@@ -277,7 +277,7 @@ RenderPlan plan_render(const RenderOptions& options) {
   check_stalls(plan);
   tell_of_wrap(plan);
   if (plan.tracer) plan.level = "golden " + options.golden;
-  use_units(plan, options.units);
+  use_units(plan, options.units, false, options.shake.empty());
   leave_out_whole_chip(plan.show.engine(), options, options.units, plan.units);
   plan.unit_files = unit_files(plan.units, options.units);
   if (plan.tracer && !plan.units.by_unit.empty())

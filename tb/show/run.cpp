@@ -65,10 +65,11 @@ Run open_run(const RunOptions& options, bool wired) {
   return {show, level_of(options, show.engine(), wired), knobs_of(show, options.assignments)};
 }
 
-void use_units(Run& run, const std::vector<std::string>& units, bool traced) {
+void use_units(Run& run, const std::vector<std::string>& units, bool traced, bool islands) {
   if (units.empty()) return;
   const UseOption use(run.show.engine(), run.k, run.show.tables(), traced);
   for (const std::string& choice : units) use.use(run.units, choice);
+  use.join(run.units, islands);
 }
 
 }  // namespace racebeam

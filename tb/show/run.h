@@ -45,6 +45,7 @@ Run open_run(const RunOptions& options, bool wired = false);
 
 /// Puts the units of the command line into the run: verilates. `traced`: signals inside the RTL can
 /// be read. Throws UsageError, RtlError, MissingTool.
-void use_units(Run& run, const std::vector<std::string>& units, bool traced = false);
+void use_units(Run& run, const std::vector<std::string>& units, bool traced = false,
+               bool islands = true);
 
 }  // namespace racebeam

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 
+#include "sc/beam/engine.h"
 #include "sc/beam/units.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/spread_frames.h"
@@ -14,6 +15,7 @@
 #include "tb/tt/tt_chip.h"
 #include "tb/tt/tt_project.h"
 #include "tb/twin/beam_twins.h"
+#include "tb/twin/use_option.h"
 
 namespace racebeam {
 
@@ -136,9 +138,11 @@ std::vector<ChipMix> chip_mixes() {
     const unit_choice rtl{unit_choice::Rtl, false, plugin};
     const unit_choice lockstep{unit_choice::Model, true, plugin};
     mixes.push_back({unit + " RTL", {{{unit, rtl}}}});
-    all_rtl.units.by_unit[unit] = rtl;
     all_lockstep.units.by_unit[unit] = lockstep;
   }
+  const UseOption use(beam_engine(), knobs(), nullptr);
+  use.use(all_rtl.units, "all=rtl");
+  use.join(all_rtl.units);
   mixes.push_back(all_rtl);
   mixes.push_back(all_lockstep);
   return mixes;

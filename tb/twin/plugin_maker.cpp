@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <set>
 
+#include "sc/swap/rtl_island.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/console.h"
+#include "tb/base/output_file.h"
 #include "tb/base/project_folder.h"
+#include "tb/verilate/cache_folder.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/source_list.h"
@@ -72,6 +75,25 @@ RtlSources PluginMaker::own_rtl(const std::string& unit, bool open) const {
     sources.parameters.push_back(setting.name + "=" + setting.value);
   sources.signals = traced_ || open;
   return sources;
+}
+
+IslandUnit PluginMaker::island_unit(const std::string& unit, const std::string& instance,
+                                    bool back_door) const {
+  expect_rtl_of(unit, {});
+  IslandUnit one{unit, instance, {}, back_door, read_rtl_syntax(own_sources(unit))};
+  for (const Setting& setting : settings(unit))
+    one.parameters.push_back(setting.name + "=" + setting.value);
+  return one;
+}
+
+// Made of the project's files alone: the text that joins them names the plug-in.
+std::string PluginMaker::island(const std::vector<IslandUnit>& units) const {
+  const std::string text = island_text(units);
+  RtlSources sources{IslandTop, {}, {}, {}, {}, {}, RtlSources::Unit, traced_};
+  for (const IslandUnit& unit : units) sources.files.push_back(rtl_file(unit.unit));
+  sources.files.push_back(
+      cached(content_key({text}) + ".sv", [&](const std::string& out) { write_text(out, text); }));
+  return rtl_plugin(sources);
 }
 
 std::string PluginMaker::users(const std::string& unit, const std::string& text, bool open) const {

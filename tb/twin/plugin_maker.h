@@ -13,6 +13,7 @@
 
 #include "sc/swap/rtl_parameters.h"
 #include "tb/verilate/gate_netlist.h"
+#include "tb/twin/island_text.h"
 #include "tb/verilate/rtl_sources.h"
 
 namespace racebeam {
@@ -36,6 +37,11 @@ class PluginMaker {
   std::string own(const std::string& unit, bool open = false) const;
   /// What that is made of. Throws as own() does.
   RtlSources own_rtl(const std::string& unit, bool open = false) const;
+  /// A unit's own RTL as part of an island; `instance`: its name there.
+  IslandUnit island_unit(const std::string& unit, const std::string& instance,
+                         bool back_door) const;
+  /// The plug-in of several of them. Throws as own().
+  std::string island(const std::vector<IslandUnit>& units) const;
   /// The plug-in of a user's RTL: a .so as it is, files as read_source_list() takes them verilated
   /// if need be. Tells what does not reach it. Throws UsageError, and as own() does.
   std::string users(const std::string& unit, const std::string& text, bool open = false) const;

@@ -8,7 +8,10 @@
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knob_parameters.h"
+#include "sc/beam/navigator.h"
 #include "sc/beam/pwm_sound.h"
+#include "sc/beam/sequencer.h"
+#include "sc/beam/timeline.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_tracer.h"
@@ -38,7 +41,9 @@ Twins beam() {
           [](const knob_values& k, const scene_tables* scene) {
             return !scene && without_pins(k) == knobs();
           },
-          {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>}}};
+          {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>}},
+          true,
+          {sequencer::unit_name, timeline::unit_name, navigator::unit_name}};
 }
 
 // It has the pins of a memory that the chip has inside.

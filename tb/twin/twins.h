@@ -35,6 +35,10 @@ struct Twins {
   /// Whether engine::top with its own parameters is such a chip.
   bool (*is_top)(const knob_values& k, const scene_tables* scene);
   std::vector<UnitWalk> walks;
+  /// Whether units that are used in RTL and touch each other become islands, and which of them have
+  /// a back door.
+  bool has_islands = false;
+  std::vector<std::string> back_doors = {};
 
   /// nullptr: it has none.
   const UnitWalk* walk(const std::string& unit) const;

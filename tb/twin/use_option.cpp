@@ -80,7 +80,7 @@ void UseOption::check_unit(const std::string& unit) const {
 unit_choice UseOption::choice_of(const std::string& unit, const std::string& text) const {
   if (text == "model") return {};
   const bool open = unit == engine_.top;  // the check of its wiring looks at the units inside
-  if (text == "rtl") return {unit_choice::Rtl, false, plugins_.own(unit, open)};
+  if (text == "rtl") return {unit_choice::Rtl, false, ""};
   if (text == "lockstep") return {unit_choice::Model, true, plugins_.own(unit, open)};
   const std::string file = without_beside(text);
   const bool beside = file.size() < text.size();
@@ -141,6 +141,26 @@ void UseOption::check_whole_chip(const std::string& how, bool beside) const {
 void UseOption::use(unit_choices& choices, const std::string& text) const {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) use_one(choices, part, false);
+}
+
+void UseOption::join(unit_choices& choices, bool islands) const {
+  const Twins& row = twins_of(engine_);
+  std::vector<IslandUnit> own;
+  for (const auto& [unit, choice] : choices.by_unit)
+    if (choice.driver == unit_choice::Rtl && choice.plugin.empty())
+      own.push_back(plugins_.island_unit(
+          unit, engine_.unit(unit)->instance(),
+          std::count(row.back_doors.begin(), row.back_doors.end(), unit) != 0));
+  if (islands && row.has_islands)
+    for (const std::vector<std::size_t>& numbers : islands_among(own)) {
+      std::vector<IslandUnit> units;
+      for (const std::size_t number : numbers) units.push_back(own[number]);
+      const std::string plugin = plugins_.island(units);
+      for (const IslandUnit& unit : units) choices.by_unit[unit.unit].island = plugin;
+    }
+  for (const IslandUnit& unit : own)
+    if (unit_choice& choice = choices.by_unit[unit.unit]; choice.island.empty())
+      choice.plugin = plugins_.own(unit.unit);
 }
 
 void UseOption::lockstep(unit_choices& choices, const std::string& text) const {

@@ -28,9 +28,13 @@ class UseOption {
 
   /// Adds choices such as "subdivider=rtl", "all=lockstep", "stacks=mine.sv", "stacks=a.sv+b.sv",
   /// "stacks=mine.f", "stacks=mine.so", "stacks=gates:osu018", or several with commas between;
-  /// later ones replace earlier ones. Gates are made and SystemVerilog is verilated here. Throws
-  /// UsageError, RtlError, MissingTool.
+  /// later ones replace earlier ones. Gates are made and SystemVerilog is verilated here, but for
+  /// units' own RTL, which waits for join(). Throws UsageError, RtlError, MissingTool.
   void use(unit_choices& choices, const std::string& text) const;
+
+  /// All has been said: units' own RTL is verilated; `islands`: together where units touch each
+  /// other. Throws RtlError, MissingTool.
+  void join(unit_choices& choices, bool islands = true) const;
 
   /// Adds what `verify` was told: "subdivider", "all", "stacks=mine.sv" or "all=gates", in
   /// lockstep. `all` has the whole chip too, where its RTL is this chip. Throws as use() does.

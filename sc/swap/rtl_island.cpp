@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sc/swap/rtl_island.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace racebeam {
+
+namespace {
+
+constexpr const char* Clock = "clk_i";
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// The machine's bytes begin with the lowest.
+std::uint64_t read(const rtl_port& port) {
+  std::uint64_t value = 0;
+  std::memcpy(&value, port.data, static_cast<std::size_t>(port.bytes));
+  return value;
+}
+
+void write(const rtl_port& port, std::uint64_t value) {
+  const std::uint64_t raw = raw_bits(value, port.bits);
+  std::memcpy(port.data, &raw, static_cast<std::size_t>(port.bytes));
+}
+
+const void* place_of(const wire_contents& wire) {
+  return wire.bit ? static_cast<const void*>(wire.bit) : wire.word;
+}
+
+/// Writes a wire that no process waits for: the kernel need not know.
+void put(const wire_contents& wire, std::uint64_t value) {
+  if (wire.bit) *const_cast<bool*>(wire.bit) = value != 0;
+  else *const_cast<sc_dt::sc_uint_base*>(wire.word) = value;
+}
+
+/// The channel of a bound port.
+const sc_core::sc_object* channel_of(const any_port& pin) {
+  const auto* port = dynamic_cast<const sc_core::sc_port_base*>(&pin);
+  return dynamic_cast<const sc_core::sc_object*>(port->get_interface());
+}
+
+}  // namespace
+
+std::string wire_name(const std::string& port) {
+  for (const char* suffix : {"_i", "_o"})
+    if (ends_with(port, suffix)) return port.substr(0, port.size() - 2);
+  for (const char* suffix : {"_ni", "_no"})
+    if (ends_with(port, suffix)) return port.substr(0, port.size() - 1);
+  return port;
+}
+
+rtl_island::rtl_island(const std::string& name, const std::vector<island_unit*>& units)
+    : library_(units.at(0)->plugin()), units_(units) {
+  join(units);
+  sc_core::sc_spawn_options on_inputs, on_edge, after_edge;
+  for (auto* process : {&on_inputs, &on_edge, &after_edge}) process->spawn_method();
+  for (const input& in : inputs_)
+    on_inputs.set_sensitivity(dynamic_cast<sc_core::sc_port_base*>(in.pin));
+  sc_core::sc_spawn([this] { comb(); }, (name + "_comb").c_str(), &on_inputs);
+  on_edge.dont_initialize();
+  for (any_port* pin : ports_of(units.at(0)->module()))
+    if (pin->port_name() == std::string(Clock))
+      on_edge.set_sensitivity(&dynamic_cast<in_port<1>&>(*pin).pos());
+  sc_core::sc_spawn([this] { seq(); }, (name + "_seq").c_str(), &on_edge);
+  after_edge.dont_initialize();
+  after_edge.set_sensitivity(&edge_done_);
+  sc_core::sc_spawn([this] { publish(); }, (name + "_publish").c_str(), &after_edge);
+}
+
+// Of the inputs that read one wire the first one stands for all.
+void rtl_island::join(const std::vector<island_unit*>& units) {
+  std::map<std::string, any_port*> readers, drivers;
+  for (const island_unit* unit : units)
+    for (any_port* pin : ports_of(unit->module())) {
+      const std::string port = pin->port_name();
+      if (port == Clock) continue;
+      auto& side = pin->is_input() ? readers : drivers;
+      side.emplace(wire_name(port), pin);
+    }
+  const rtl_model& model = library_.model();
+  for (int n = 0; n < model.port_count; ++n) {
+    const rtl_port& port = model.ports[n];
+    const std::string name = port.name;
+    if (name == IslandTick || name.rfind(OwnTick, 0) == 0 || name.rfind(OwnPins, 0) == 0) continue;
+    const auto& side = port.is_input ? readers : drivers;
+    const auto at = side.find(name.substr(0, name.size() - 2));
+    if (at == side.end() || at->second->bits() != port.bits)
+      throw RtlError(units.at(0)->plugin() + " is made of other units: " + name + " is not theirs");
+    if (port.is_input) inputs_.push_back({at->second, &port});
+    else inner_.push_back({at->second, &port});
+  }
+}
+
+// A wire is inner if it lies in the chip, and all that reads it is in the island.
+void rtl_island::find_wires() {
+  std::set<std::string> inside;
+  for (const island_unit* unit : units_) inside.insert(unit->module().name());
+  const sc_core::sc_object* chip = units_.at(0)->module().get_parent_object();
+  std::set<const void*> read_outside;
+  for (const sc_core::sc_object* child : chip->get_child_objects()) {
+    const auto* module = dynamic_cast<const sc_core::sc_module*>(child);
+    if (!module || inside.count(module->name()) != 0) continue;
+    for (const any_port* pin : ports_of(*module))
+      if (pin->is_input()) read_outside.insert(place_of(pin->contents()));
+  }
+  std::map<std::string, const void*> by_name;
+  for (input& in : inputs_) in.wire = in.pin->contents();
+  for (output& out : inner_) {
+    out.wire = out.pin->contents();
+    by_name[wire_name(out.pin->port_name())] = place_of(out.wire);
+    const sc_core::sc_object* channel = channel_of(*out.pin);
+    out.is_inner = channel && channel->get_parent_object() == chip &&
+                   read_outside.count(place_of(out.wire)) == 0;
+  }
+  for (const input& in : inputs_) by_name[wire_name(in.pin->port_name())] = place_of(in.wire);
+  for (const island_unit* unit : units_)
+    for (const any_port* pin : ports_of(unit->module())) {
+      const auto at = by_name.find(wire_name(pin->port_name()));
+      if (at != by_name.end() && at->second != place_of(pin->contents()))
+        throw RtlError(std::string(pin->port_name()) + " of " + unit->module().name() +
+                       " is wired to what is named otherwise; use this unit's RTL without others");
+    }
+  for (output& out : inner_)
+    if (!out.is_inner) outer_.push_back(out);
+  inner_.erase(
+      std::remove_if(inner_.begin(), inner_.end(), [](const output& out) { return !out.is_inner; }),
+      inner_.end());
+  bound_ = true;
+}
+
+void rtl_island::settle() {
+  if (!bound_) find_wires();
+  bool moved = !std::exchange(settled_, true);
+  for (input& in : inputs_) {
+    const std::uint64_t now = in.wire.value();
+    if (now == in.last) continue;
+    in.last = now;
+    write(*in.rtl, now);
+    moved = true;
+  }
+  if (moved) library_.eval();
+}
+
+void rtl_island::comb() {
+  settle();
+  drive_outer();
+  publish();
+}
+
+// At the edge others still read what the wires had before it.
+void rtl_island::seq() {
+  library_.rise();
+  drive_outer();
+  edge_done_.notify(sc_core::SC_ZERO_TIME);
+}
+
+void rtl_island::drive_outer() {
+  for (output& out : outer_) {
+    const std::uint64_t now = read(*out.rtl);
+    if (now == out.last) continue;
+    out.last = now;
+    out.pin->drive_wire(now);
+  }
+}
+
+void rtl_island::publish() {
+  for (output& out : inner_) {
+    const std::uint64_t now = read(*out.rtl);
+    if (now == out.last) continue;
+    out.last = now;
+    put(out.wire, now);
+  }
+}
+
+std::vector<probe> rtl_island::probes(const std::string& instance) const {
+  const std::string above = instance + ".";
+  std::vector<probe> all;
+  for (int n = 0; n < library_.model().signal_count; ++n) {
+    const rtl_port& signal = library_.model().signals[n];
+    const std::string name = signal.name;
+    if (name.rfind(above, 0) == 0)
+      all.push_back({name.substr(above.size()), signal.bits, [&signal] { return read(signal); }});
+  }
+  return all;
+}
+
+void rtl_island::private_edges(const std::string& instance, const input_values& inputs, int edges) {
+  const rtl_model& model = library_.model();
+  settle();
+  for (const island_unit* unit : units_) {
+    if (unit->module().basename() != instance) continue;
+    for (const any_port* pin : ports_of(unit->module())) {
+      const std::string own = OwnPins + instance + "_" + pin->port_name();
+      if (pin->is_input() && has_rtl_port(model, own))
+        write(rtl_port_of(model, own), pin->contents().value());
+    }
+  }
+  for (const auto& [port, value] : inputs)
+    write(rtl_port_of(model, OwnPins + instance + "_" + port), static_cast<std::uint64_t>(value));
+  const rtl_port& own = rtl_port_of(model, OwnPins + instance);
+  const rtl_port& tick = rtl_port_of(model, OwnTick + instance);
+  write(own, 1);
+  for (; edges > 0; --edges) {
+    write(tick, read(tick) ^ 1);
+    library_.eval();
+  }
+  write(own, 0);
+  library_.eval();
+  drive_outer();
+  publish();
+}
+
+std::vector<std::unique_ptr<rtl_island>> islands_of(const sc_core::sc_module& chip) {
+  std::map<std::string, std::vector<island_unit*>> by_plugin;
+  for (sc_core::sc_object* child : chip.get_child_objects())
+    if (auto* unit = dynamic_cast<island_unit*>(child)) by_plugin[unit->plugin()].push_back(unit);
+  std::vector<std::unique_ptr<rtl_island>> islands;
+  for (const auto& [plugin, units] : by_plugin) {
+    islands.push_back(
+        std::make_unique<rtl_island>("island_" + std::to_string(islands.size()), units));
+    for (island_unit* unit : units) unit->join(*islands.back());
+  }
+  return islands;
+}
+
+}  // namespace racebeam

@@ -1,0 +1,123 @@
+// rtl_island: the RTL of several units that are wired to each other, verilated as one.
+//
+// Each unit keeps its pins and its place in the chip, an rtl_shell; what is behind the pins is one
+// model. It is evaluated when a wire from outside changes, not whenever one of its units moves
+// another. Wires that only units inside read carry the same values at the same clocks as ever, but
+// wake nobody.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sc/base/probe.h"
+#include "sc/base/unit.h"
+#include "sc/swap/rtl_back_door.h"
+#include "sc/swap/rtl_library.h"
+
+namespace racebeam {
+
+/// The module's name, and that of its input in the place of the clock.
+constexpr const char* IslandTop = "racebeam_island";
+constexpr const char* IslandTick = "racebeam_tick";
+/// Of a unit with a back door, before its instance: its own clock, whether it has inputs of its
+/// own, and before the instance and a port these.
+constexpr const char* OwnTick = "tick_";
+constexpr const char* OwnPins = "own_";
+
+/// The wire at a port, as chips name theirs: without the suffix, active low ones with _n.
+std::string wire_name(const std::string& port);
+
+class rtl_island;
+
+/// A unit of an island, by its pins.
+class island_unit {
+ public:
+  explicit island_unit(std::string plugin) : plugin_(std::move(plugin)) {}
+  virtual ~island_unit() = default;
+  virtual const sc_core::sc_module& module() const = 0;
+  /// Of the island.
+  const std::string& plugin() const { return plugin_; }
+  void join(rtl_island& island) { island_ = &island; }
+
+ protected:
+  rtl_island& island() const { return *island_; }
+
+ private:
+  const std::string plugin_;
+  rtl_island* island_ = nullptr;
+};
+
+class rtl_island {
+ public:
+  /// Of units in a chip under construction, whose ports are bound. Throws RtlError: no plug-in, or
+  /// one of other units or ports.
+  rtl_island(const std::string& name, const std::vector<island_unit*>& units);
+  rtl_island(const rtl_island&) = delete;
+  rtl_island& operator=(const rtl_island&) = delete;
+
+  /// Registers inside one of its units.
+  std::vector<probe> probes(const std::string& instance) const;
+  /// Edges of one unit alone, with these inputs and the others as they are.
+  void private_edges(const std::string& instance, const input_values& inputs, int edges);
+
+ private:
+  struct input {
+    any_port* pin;
+    const rtl_port* rtl;
+    wire_contents wire{};
+    std::uint64_t last = 0;
+  };
+  struct output {
+    any_port* pin;
+    const rtl_port* rtl;
+    wire_contents wire{};
+    std::uint64_t last = 0;
+    bool is_inner = true;  // nobody outside reads the wire
+  };
+
+  void join(const std::vector<island_unit*>& units);
+  void find_wires();
+  void comb();
+  void seq();
+  void publish();
+  void settle();
+  void drive_outer();
+
+  rtl_library library_;
+  const std::vector<island_unit*> units_;
+  std::vector<input> inputs_;
+  std::vector<output> inner_, outer_;
+  sc_core::sc_event edge_done_;
+  bool settled_ = false, bound_ = false;
+};
+
+/// Pins of `Unit` in front of an island.
+template <class Unit>
+class rtl_shell : public Unit::pins, public probed, public island_unit {
+ public:
+  rtl_shell(const sc_core::sc_module_name& name, const std::string& plugin)
+      : Unit::pins(name), island_unit(plugin) {}
+
+  const sc_core::sc_module& module() const override { return *this; }
+  std::vector<probe> probes() const override { return island().probes(this->basename()); }
+
+  // The back doors of sequencer_pins and navigator_pins.
+  void deposit(int frame) { seek_frame(edges(), frame); }
+  void deposit(const vec3& position, int room) { place_camera(edges(), position, room); }
+
+ private:
+  auto edges() {
+    return [this](const input_values& inputs, int count) {
+      island().private_edges(this->basename(), inputs, count);
+    };
+  }
+};
+
+/// The islands of the shells among the units of `chip`, which is under construction.
+std::vector<std::unique_ptr<rtl_island>> islands_of(const sc_core::sc_module& chip);
+
+}  // namespace racebeam
