@@ -19,6 +19,7 @@
 #include "tb/base/output_file.h"
 #include "tb/base/progress.h"
 #include "tb/program/common_options.h"
+#include "tb/scene/engines.h"
 #include "tb/show/run.h"
 #include "tb/signoff/signoff_report.h"
 #include "tb/signoff/signoff_unit.h"
@@ -177,12 +178,26 @@ SignoffReport sign_off(const Options& options, const Run& run,
   return report;
 }
 
+/// Red before incomplete.
+int exit_code(const SignoffReport& report) {
+  const auto any = [&](CheckResult::Verdict verdict) {
+    return std::any_of(report.results.begin(), report.results.end(),
+                       [&](const CheckResult& result) { return result.verdict == verdict; });
+  };
+  if (any(CheckResult::Bad)) return ExitDifference;
+  return any(CheckResult::Undecided) ? ExitMissing : ExitGood;
+}
+
 int run_signoff(Options& options) {
   const std::vector<const SignoffCheck*> checks = chosen_checks(options.only);
   const Run run = open_run(options, true);
   const std::vector<Asked> asked = asked_units(options.units, run);
   options.signoff.waivers =
       read_waivers(options.waivers.empty() ? own_waivers_file() : options.waivers);
+  for (const Waiver& waiver : options.signoff.waivers)
+    if (std::none_of(engines().begin(), engines().end(),
+                     [&](const engine* one) { return one->unit(waiver.unit) != nullptr; }))
+      throw UsageError(waiver.place + ": no engine has a unit " + waiver.unit);
   make_folder(options.signoff.folder);
   catch_interrupts();
   const SignoffReport report = sign_off(options, run, checks, asked);
@@ -194,7 +209,7 @@ int run_signoff(Options& options) {
     tell("interrupted; what was found is kept; the same command goes on");
     return ExitInterrupted;
   }
-  return report.green() ? ExitGood : ExitDifference;
+  return exit_code(report);
 }
 
 void add_options(const CommandOptions& command, Options& options) {

@@ -67,6 +67,10 @@ std::map<std::string, const Waiver*> waivers_of(const std::string& unit,
   std::map<std::string, const Waiver*> good;
   for (const Waiver& waiver : waivers) {
     if (waiver.unit != unit) continue;
+    if (!waiver.fault.empty()) {
+      faults.push_back(waiver.place + ": the waiver of " + waiver.mutant + " " + waiver.fault);
+      continue;
+    }
     const auto mutant = std::find_if(netlist.mutants.begin(), netlist.mutants.end(),
                                      [&](const Mutant& one) { return one.name == waiver.mutant; });
     if (mutant == netlist.mutants.end()) {

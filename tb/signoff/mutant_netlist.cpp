@@ -31,8 +31,16 @@ constexpr const char* Splitting = "iopadmap -bits -outpad output_bit A:Y; splitn
 constexpr const char* OutputBit =
     "\nmodule output_bit(input A, output Y);\n  assign Y = A;\nendmodule\n";
 
-std::string link_name(std::size_t number, const std::string& path) {
-  return fmt::format("f{}_{}", number, fs::path(path).filename().string());
+/// The names of the links to the files: their own, if no other file has it.
+std::vector<std::string> link_names(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    std::string name = fs::path(file).filename().string();
+    while (name == "rtl" || std::find(names.begin(), names.end(), name) != names.end())
+      name = "other_" + name;
+    names.push_back(name);
+  }
+  return names;
 }
 
 // yosys 0.23 reads no -1.
@@ -145,9 +153,9 @@ std::string yosys_version() { return run_tool({{"yosys", "-V"}, "", {}, {}}).sai
 
 void link_sources(const RtlSources& sources, const std::string& folder) {
   fs::create_directory_symlink(rtl_folder(), folder + "/rtl");
-  for (std::size_t n = 0; n < sources.files.size(); ++n)
-    fs::create_symlink(fs::absolute(sources.files[n]),
-                       folder + "/" + link_name(n, sources.files[n]));
+  const std::vector<std::string> names = link_names(sources.files);
+  for (std::size_t n = 0; n < names.size(); ++n)
+    fs::create_symlink(fs::absolute(sources.files[n]), folder + "/" + names[n]);
 }
 
 std::string reading_commands(const RtlSources& sources) {
@@ -165,8 +173,7 @@ std::string reading_commands(const RtlSources& sources) {
     libraries += " -libdir rtl/" + fs::path(folder).filename().string();
   text = "read_verilog" + options;
   for (const std::string& package : packages(sources)) text += " " + package;
-  for (std::size_t n = 0; n < sources.files.size(); ++n)
-    text += " " + link_name(n, sources.files[n]);
+  for (const std::string& name : link_names(sources.files)) text += " " + name;
   for (const std::string& parameter : sources.parameters) {
     const auto equals = parameter.find('=');
     settings += fmt::format(" -set {} {}", parameter.substr(0, equals),

@@ -3,6 +3,7 @@
 #include "tb/signoff/waivers.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "tb/base/counted.h"
 #include "tb/base/errors.h"
@@ -27,15 +28,12 @@ const std::vector<FileKey>& waiver_keys() {
   return keys;
 }
 
-/// A text of any length, with more than blanks in it.
-void read_sentence(const TableReader& table, const std::string& key, const char* help,
-                   std::string& to) {
-  const TomlNode* node = table.require(key, help);
+/// A text of any length; one of blanks is none.
+void read_sentence(const TableReader& table, const std::string& key, std::string& to) {
+  const TomlNode* node = table.find(key);
   if (!node) return;
   if (node->kind != TomlNode::String) return wrong_type(*node, key, "a text", table.faults());
-  if (node->text.find_first_not_of(" \t\n") == std::string::npos)
-    table.faults().add(node->place, "'" + key + "' is empty", help);
-  to = node->text;
+  if (node->text.find_first_not_of(" \t\n") != std::string::npos) to = node->text;
 }
 
 Waiver read_waiver(const TomlNode& node, const std::string& path, Faults& faults) {
@@ -43,14 +41,17 @@ Waiver read_waiver(const TomlNode& node, const std::string& path, Faults& faults
   const TableReader table(node, "waiver", faults, waiver_keys());
   Waiver waiver;
   waiver.place = path + ":" + std::to_string(node.place.line);
-  read_sentence(table, "unit", "the unit's name: unit = \"stacks\"", waiver.unit);
-  read_sentence(table, "mutant", "as the page has it: mutant = \"inv $procmux$85 Y[5]\"",
-                waiver.mutant);
-  read_sentence(table, "reason", "why it need not be found: reason = \"...\"", waiver.reason);
-  read_sentence(table, "reviewer", "who has looked at it: reviewer = \"...\"", waiver.reviewer);
-  read_sentence(table, "date", "when: date = \"2026-11-23\"", waiver.date);
-  if (!waiver.date.empty() && !Day.matches(waiver.date))
-    faults.add(table.find("date")->place, "'date' is no day", "write date = \"2026-11-23\"");
+  table.require("unit", "the unit's name: unit = \"stacks\"");
+  table.require("mutant", "as the page has it: mutant = \"inv $procmux$85 Y[5]\"");
+  for (const auto& [key, to] : {std::pair{"unit", &waiver.unit},
+                                {"mutant", &waiver.mutant},
+                                {"reason", &waiver.reason},
+                                {"reviewer", &waiver.reviewer},
+                                {"date", &waiver.date}})
+    read_sentence(table, key, *to);
+  if (waiver.reason.empty()) waiver.fault = "has no reason";
+  else if (waiver.reviewer.empty()) waiver.fault = "has no reviewer";
+  else if (!Day.matches(waiver.date)) waiver.fault = "has no date such as 2026-11-23";
   return waiver;
 }
 

@@ -14,6 +14,7 @@ struct Waiver {
   std::string reason, reviewer;
   std::string date;   ///< "2026-11-23"
   std::string place;  ///< "waivers.toml:12"
+  std::string fault;  ///< "has no reason"; empty: somebody has reviewed it
 };
 
 /// Of a TOML file with tables [[waiver]]. Throws UsageError with file, line and what must be there:

@@ -15,9 +15,11 @@
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_tracer.h"
+#include "sc/video/vga_timing.h"
 #include "sc/voxel/engine.h"
 #include "tb/twin/beam_twins.h"
 #include "tb/twin/block_twins.h"
+#include "tb/twin/frame_walks.h"
 #include "tb/twin/sphere_twins.h"
 #include "tb/twin/tracer_walk.h"
 #include "tb/twin/tune_walk.h"
@@ -41,7 +43,10 @@ Twins beam() {
           [](const knob_values& k, const scene_tables* scene) {
             return !scene && without_pins(k) == knobs();
           },
-          {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>}},
+          {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>},
+           {sequencer::unit_name, "through all frames", FramesWalk::Clocks, begin_walk<FramesWalk>},
+           {timeline::unit_name, "through many frames", FramesWalk::Clocks, begin_walk<FramesWalk>},
+           {vga_timing::unit_name, "through a frame", FrameWalk::Clocks, begin_walk<FrameWalk>}},
           true,
           {sequencer::unit_name, timeline::unit_name, navigator::unit_name}};
 }

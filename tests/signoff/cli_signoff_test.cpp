@@ -1,0 +1,173 @@
+// `racebeam signoff` through the command line: green on our RTL, red on what it is there for, and
+// whole after a kill.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <libxml/parser.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "tb/base/project_folder.h"
+#include "tests/cli/program.h"
+
+namespace racebeam {
+namespace {
+
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+const Words Few = {"--only", "mutants", "--mutants", "16"};
+
+class CliSignoffTest : public testing::Test {
+ protected:
+  static Words words(const std::string& unit, const Words& more, const Words& common = Few) {
+    Words all = {"signoff", unit};
+    all.insert(all.end(), common.begin(), common.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  /// The detail of the one result.
+  Json detail(const Words& more, int code) {
+    Words all = words("stacks", more);
+    all.push_back("--json");
+    Program run(folder.path(), all);
+    EXPECT_EQ(run.wait(), code) << run.err() << run.out();
+    return run.json()["results"][0]["detail"];
+  }
+  void expect_refused(const Words& arguments, const std::string& said) {
+    Program run(folder.path(), arguments);
+    EXPECT_EQ(run.wait(), 2);
+    EXPECT_THAT(run.err(), HasSubstr(said));
+  }
+  /// With this file of waivers it is red and says so.
+  void expect_red_waiver(const std::string& text, const std::string& said) {
+    std::ofstream(folder / "waivers.toml") << text;
+    Program run(folder.path(), words("stacks", {"--random", "5000", "--waivers", "waivers.toml"}));
+    EXPECT_EQ(run.wait(), 1) << run.err();
+    EXPECT_THAT(run.out(), HasSubstr(said));
+  }
+  static std::string waiver(const std::string& mutant, const std::string& reason) {
+    return "[[waiver]]\nunit = 'stacks'\nmutant = '" + mutant + "'\n" + reason +
+           "\nreviewer = 'N. N.'\ndate = '2026-11-23'\n";
+  }
+
+  ScratchFolder folder;
+};
+
+TEST_F(CliSignoffTest, EveryMutantIsFoundOrProvedEqual) {
+  const Json all = detail({"--random", "5000"}, 0);
+  EXPECT_EQ(all["mutants"], 16);
+  EXPECT_EQ(all["found"].get<int>() + all["equal"].get<int>(), 16);
+  EXPECT_GT(all["found"].get<int>(), 8);
+}
+
+TEST_F(CliSignoffTest, WhatAShortStimulusMissesGetsACounterexampleAndNoProof) {
+  const Json whole = detail({"--random", "5000"}, 0), few = detail({"--random", "2"}, 1);
+  EXPECT_EQ(few["equal"], whole["equal"]);
+  EXPECT_GT(few["not_found"].get<int>(), 8);
+  for (const auto& mutant : few["survivors"].elements())
+    if (mutant["state"] == "escaped") {
+      const auto traffic = mutant["traffic"].get<std::string>();
+      EXPECT_TRUE(fs::exists(folder / traffic)) << traffic;
+    }
+}
+
+TEST_F(CliSignoffTest, AMistakeInTheRtlTurnsItRed) {
+  std::string text = read_file(rtl_file("stacks"));
+  const std::string was = "(n + 1) % IntervalStackDepth";
+  ASSERT_NE(text.find(was), std::string::npos);
+  text.replace(text.find(was), was.size(), "n % IntervalStackDepth");
+  std::ofstream(folder / "mine.sv") << text;
+  Program run(folder.path(),
+              words("stacks=mine.sv", {"--junit", "ci/../j.xml", "--html", "p.html"}));
+  EXPECT_EQ(run.wait(), 1);
+  EXPECT_THAT(run.out(), HasSubstr("model and RTL differ in clock"));
+}
+
+TEST_F(CliSignoffTest, AWarningTurnsItRed) {
+  std::string text = read_file(rtl_file("stacks"));
+  text.insert(text.rfind("endmodule"),
+              "  logic nobody_reads_it;\n  assign nobody_reads_it = rst;\n"
+              "  logic rst;\n  assign rst = 1'b0;\n");
+  std::ofstream(folder / "mine.sv") << text;
+  Program run(folder.path(), {"signoff", "stacks=mine.sv", "--only", "lint"});
+  EXPECT_EQ(run.wait(), 1);
+  EXPECT_THAT(run.out(), HasSubstr("nobody_reads_it"));
+}
+
+TEST_F(CliSignoffTest, WrongWaiversTurnItRed) {
+  const std::string reason = "reason = 'looked at'";
+  expect_red_waiver(waiver("inv $nothing$1 Y[0]", reason), "there is no such mutant");
+  const Json all = read_json(folder / "racebeam_signoff/stacks.mutants.json");
+  const auto equal = all["detail"]["survivors"][0]["mutant"].get<std::string>();
+  expect_red_waiver(waiver(equal, reason), "proved equal; take the waiver away");
+  expect_red_waiver(waiver(equal, "reason = ' '"), "has no reason");
+  std::ofstream(folder / "waivers.toml") << waiver(equal, "raison = 'x'");
+  expect_refused(words("stacks", {"--waivers", "waivers.toml"}), "waivers.toml:4");
+}
+
+TEST_F(CliSignoffTest, ARunThatWasKilledGoesOnBehindItsLastMutant) {
+  const Json whole = detail({"--random", "5000"}, 0);
+  const std::string file = folder / "racebeam_signoff/stacks.mutants";
+  const std::string text = read_file(file);
+  const auto cut = text.find('\n', text.size() / 2) + 10;  // in the midst of a line
+  std::ofstream(file) << text.substr(0, cut);
+  EXPECT_EQ(detail({"--random", "5000"}, 0), whole);
+  const std::string kept = text.substr(0, text.find('\n', text.size() / 4) + 1);
+  EXPECT_EQ(read_file(file).substr(0, kept.size()), kept);
+}
+
+TEST_F(CliSignoffTest, AnInterruptEndsItAtOnceAndLeavesNobody) {
+  Program run(folder.path(), words("stacks", {"--random", "500000000"}));
+  for (int n = 0; n < 6000 && !(fs::exists(folder / "racebeam_signoff") && run.children() > 0); ++n)
+    usleep(10'000);
+  run.signal(SIGTERM);
+  EXPECT_EQ(run.wait(), 130) << run.err();
+  EXPECT_EQ(run.children(), 0);
+  EXPECT_THAT(run.err(), HasSubstr("the same command goes on"));
+}
+
+TEST_F(CliSignoffTest, JUnitIsXmlWithAFailureForWhatIsRed) {
+  Program run(folder.path(), words("stacks", {"--random", "2", "--junit", "junit.xml"}));
+  EXPECT_EQ(run.wait(), 1);
+  const std::unique_ptr<xmlDoc, void (*)(xmlDocPtr)> xml(
+      xmlReadFile((folder / "junit.xml").c_str(), nullptr, XML_PARSE_NONET), xmlFreeDoc);
+  ASSERT_TRUE(xml);
+  const std::string text = read_file(folder / "junit.xml");
+  EXPECT_THAT(text, HasSubstr("<testcase classname=\"racebeam.mutants\" name=\"stacks\""));
+  EXPECT_THAT(text, HasSubstr("failures=\"1\""));
+  EXPECT_THAT(text, HasSubstr("<failure message="));
+}
+
+TEST_F(CliSignoffTest, AToolThatIsMissingIsToldAndOtherChecksGoOn) {
+  const ScratchFolder tools;
+  for (const char* tool : {"verilator", "perl", "c++", "sh"})
+    for (const char* bin : {"/usr/bin/", "/bin/", "/usr/local/bin/"})
+      if (fs::exists(std::string(bin) + tool) && !fs::exists(tools / tool))
+        fs::create_symlink(std::string(bin) + tool, tools / tool);
+  Program::Setting setting;
+  setting.environment = "PATH=" + tools.path();
+  Program run(folder.path(), {"signoff", "stacks"}, setting);
+  EXPECT_EQ(run.wait(), 3);
+  EXPECT_THAT(run.out(), HasSubstr("yosys is not installed"));
+  EXPECT_THAT(run.out(), HasSubstr("no warning"));
+}
+
+TEST_F(CliSignoffTest, BadWordsAreRefused) {
+  expect_refused({"signoff", "stakcs"}, "did you mean 'stacks'");
+  expect_refused({"signoff", "stacks", "--only", "mutnats"}, "did you mean 'mutants'");
+  expect_refused({"signoff", "racebeam_top"}, "has no traffic of its own");
+  expect_refused({"signoff", "stacks=mine.so"}, "give its source");
+  expect_refused({"signoff", "stacks="}, "UNIT=FILE.sv");
+  expect_refused({"signoff", "stacks", "--mutants", "0"}, "--mutants");
+  expect_refused({"signoff", "stacks", "--waivers", "none.toml"}, "there is no file none.toml");
+}
+
+}  // namespace
+}  // namespace racebeam
