@@ -28,12 +28,13 @@ void PortStream::cut(std::uint64_t clocks) {
 }
 
 PortStream PortStream::without(std::uint64_t from, std::uint64_t to) const {
-  PortStream less = *this;
+  PortStream less{unit, counts_frames, inputs, {}, {}, {}};
   const auto place = [&](std::uint64_t clock) {
-    return less.values.begin() + static_cast<std::ptrdiff_t>(clock * inputs.size());
+    return values.begin() + static_cast<std::ptrdiff_t>(clock * inputs.size());
   };
-  less.values.erase(place(from), place(to));
-  less.seeks.clear();
+  less.values.reserve(values.size());
+  less.values.insert(less.values.end(), values.begin(), place(from));
+  less.values.insert(less.values.end(), place(to), values.end());
   for (const auto& [clock, frame] : seeks)  // of two at one clock the later one counts
     less.seeks[clock < from ? clock : clock < to ? from : clock - (to - from)] = frame;
   less.seeks.erase(less.seeks.lower_bound(less.clocks()), less.seeks.end());
@@ -43,7 +44,6 @@ PortStream PortStream::without(std::uint64_t from, std::uint64_t to) const {
 void PortStream::begin_in_reset() {
   for (std::size_t input = 0; input < inputs.size(); ++input)
     at(0, input) = inputs[input].reset >= 0 ? static_cast<std::uint64_t>(inputs[input].reset)
-                   : clocks() > 1           ? at(1, input)
                                             : inputs[input].rest;
 }
 

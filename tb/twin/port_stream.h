@@ -1,6 +1,6 @@
 // What is driven into the inputs of a unit, clock by clock from power-up on, and its text file.
 //
-// Clock 0 is in reset and is not in the file. A file, as small ones are:
+// Clock 0 is in reset, with all else at rest, and is not in the file. A file, as small ones are:
 //
 //   # racebeam-stream 1
 //   unit stacks
@@ -33,9 +33,10 @@ struct PortStream {
   };
 
   std::string unit;
-  bool counts_frames = false;          ///< the unit; only then it seeks
-  std::vector<Input> inputs;           ///< all but the clock
-  std::vector<std::uint64_t> values;   ///< by clock, then by input: raw bits
+  bool counts_frames = false;         ///< the unit; only then it seeks
+  std::vector<Input> inputs;          ///< all but the clock
+  std::vector<std::uint64_t> values;  ///< by clock, then by input: raw bits
+  std::vector<int> frames;  ///< by clock: what a counter of frames had, of what was recorded
   std::map<std::uint64_t, int> seeks;  ///< by clock: the frame that a counter of frames goes to
 
   std::uint64_t clocks() const { return inputs.empty() ? 0 : values.size() / inputs.size(); }
@@ -51,10 +52,10 @@ struct PortStream {
   std::size_t moving() const;
   /// Only the first `clocks` are left.
   void cut(std::uint64_t clocks);
-  /// Without the clocks `from` (included) to `to` (excluded); where a frame began in them, it
-  /// begins behind them.
+  /// Without the clocks `from` (included) to `to` (excluded), and without `frames`; a seek in them
+  /// comes behind them.
   PortStream without(std::uint64_t from, std::uint64_t to) const;
-  /// Clock 0 resets, and has what clock 1 has else.
+  /// In clock 0 all resets are active, and all else is at rest.
   void begin_in_reset();
 };
 

@@ -78,12 +78,17 @@ std::optional<std::size_t> Shrinker::take_first(std::size_t count, std::uint64_t
   return hit->number;
 }
 
-/// The last 1, 2, 4, ... clocks, until they fail.
+/// The last 1, 2, 4, ... clocks, until they fail; a counter of frames may begin where it was.
 bool Shrinker::cut_to_last_clocks(const PortStream& found) {
   const std::uint64_t all = found.clocks();
   for (std::uint64_t last = 1, before = 0; before + 1 < all; before = last, last *= 2) {
     last = std::min(last, all - 1);
-    if (take_first(1, last, [&](std::size_t) { return found.without(1, all - last); })) return true;
+    const auto cut = [&](std::size_t number) {
+      PortStream stream = found.without(1, all - last);
+      if (number > 0) stream.seeks[1] = found.frames[all - last];
+      return stream;
+    };
+    if (take_first(found.frames.empty() ? 1 : 2, last, cut)) return true;
   }
   return false;
 }

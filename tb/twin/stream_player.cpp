@@ -42,7 +42,9 @@ PortStream StreamPlayer::record(Stimulus stimulus, unsigned seed, std::uint64_t 
   const std::vector<std::uint64_t> numbers = unpacked(forked([&] {
     twins_.stimulate(stimulus, seed);
     const PortStream all = twins_.record(clocks, most);
-    std::vector<std::uint64_t> sent = {all.seeks.size()};
+    std::vector<std::uint64_t> sent = {all.frames.size()};
+    sent.insert(sent.end(), all.frames.begin(), all.frames.end());
+    sent.push_back(all.seeks.size());
     for (const auto& [clock, frame] : all.seeks) {
       sent.push_back(clock);
       sent.push_back(static_cast<std::uint64_t>(frame));
@@ -52,6 +54,8 @@ PortStream StreamPlayer::record(Stimulus stimulus, unsigned seed, std::uint64_t 
   }));
   PortStream stream = twins_.form();
   auto next = numbers.begin();
+  for (std::uint64_t left = *next++; left > 0; --left)
+    stream.frames.push_back(static_cast<int>(*next++));
   for (std::uint64_t left = *next++; left > 0; --left, next += 2)
     stream.seeks[*next] = static_cast<int>(next[1]);
   stream.values.assign(next, numbers.end());

@@ -21,6 +21,15 @@ int any_frame(const UnitUnderTest& dut, unsigned random) {
   return static_cast<int>(random % 4 == 0 ? frames - 1 : random / 4 % frames);
 }
 
+void keep_last(PortStream& stream, std::uint64_t most) {
+  const std::uint64_t left_out = stream.clocks() - most;
+  std::vector<int> frames(std::move(stream.frames));
+  stream = stream.without(0, left_out);
+  if (frames.empty()) return;
+  frames.erase(frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(left_out));
+  stream.frames = std::move(frames);
+}
+
 }  // namespace
 
 TwinBench::TwinBench(const UnitUnderTest& dut)
@@ -54,21 +63,33 @@ void TwinBench::stimulate(Stimulus stimulus, unsigned seed) {
 
 PortStream TwinBench::record(std::uint64_t clocks, std::uint64_t most) {
   PortStream stream = form();
+  const std::function<std::uint64_t()> frame = frame_register();
+  if (frame) stream.frames = {0};
   const auto take = [&] {  // of the clock that has just ended
     for (const UnitBench::Pin* pin : bench_.pins())
       if (pin->input) stream.values.push_back(pin->value());
-    if (stream.clocks() < 2 * most) return;
-    stream = stream.without(0, most);
+    if (frame) stream.frames.push_back(static_cast<int>(frame()));
+    if (stream.clocks() >= 2 * most) keep_last(stream, most);
   };
-  seeks_ = [&](int frame) { stream.seeks[stream.clocks()] = frame; };
+  seeks_ = [&](int number) {
+    stream.seeks[stream.clocks()] = number;
+    stream.frames.back() = number;
+  };
   next_ = [&, next = next_] {
     take();
     next();
   };
   bench_.clock(static_cast<int>(clocks));
   take();
-  if (stream.clocks() > most) stream = stream.without(0, stream.clocks() - most);
+  if (stream.clocks() > most) keep_last(stream, most);
   return stream;
+}
+
+std::function<std::uint64_t()> TwinBench::frame_register() const {
+  if (counter_)
+    for (const probe& one : dynamic_cast<const probed&>(*counter_).probes())
+      if (one.name == "frame_q") return one.read;
+  return {};
 }
 
 void TwinBench::seek(int frame) {

@@ -70,7 +70,7 @@ TEST_F(PortStreamTest, WhatIsWrittenIsRead) {
 
 TEST_F(PortStreamTest, OnlyWhatMovesHasAColumnAndEqualClocksOneLine) {
   PortStream stream = form();
-  stream.values = {0, 5, 7, 1, 1, 5, 7, 1, 1, 5, 8, 1, 1, 5, 8, 1};
+  stream.values = {0, 0, 0, 1, 1, 5, 7, 1, 1, 5, 8, 1, 1, 5, 8, 1};
   EXPECT_EQ(stream_text(stream, {"why"}),
             "# racebeam-stream 1\n# why\nunit made\nhold a_i 5\nclock     wide_i\n"
             "1              7\n2..3           8\n");
@@ -81,7 +81,7 @@ TEST_F(PortStreamTest, AFileMayBeWrittenByHand) {
   const PortStream stream =
       read("# racebeam-stream 1\r\n\n  unit made # ours\nclock a_i\n1 0x1F # first\n2..3 0\n");
   EXPECT_EQ(stream.clocks(), 4u);
-  EXPECT_EQ(stream.values, (std::vector<std::uint64_t>{0, 0x1f, 0, 1, 1, 0x1f, 0, 1,  //
+  EXPECT_EQ(stream.values, (std::vector<std::uint64_t>{0, 0, 0, 1, 1, 0x1f, 0, 1,  //
                                                        1, 0, 0, 1, 1, 0, 0, 1}));
 }
 
