@@ -149,8 +149,8 @@ std::vector<OptionalTool> find_tools() {
   std::vector<OptionalTool> tools = {
       {"verilator", "verilator", "runs RTL: render --use, render --tt, verify", ""},
       {"gtkwave", "gtkwave", "shows waveforms", ""},
-      {"yosys", "yosys", "counts the cells of RTL: sweeps with silicon", ""},
-      {"sta", "opensta", "finds the longest path of standard cells: sweeps with timing", ""},
+      {"yosys", "yosys", "makes gates: UNIT=gates, units --area; sweeps with silicon", ""},
+      {"sta", "opensta", "finds the longest path: units --area, sweeps with timing", ""},
       {"nextpnr-ice40", "nextpnr-ice40", "places and routes an FPGA: sweeps with timing", ""},
       {"sox", "sox", "plays sound and draws spectrograms", ""},
   };

@@ -21,7 +21,7 @@ namespace racebeam {
 
 /// What stands in a unit's place.
 struct ManifestUnit {
-  std::string implementation;                ///< "rtl", or "lockstep" beside the model
+  std::string implementation;  ///< "rtl", "lockstep" beside the model, "gates:osu018" ...
   std::map<std::string, std::string> files;  ///< of the RTL, with a checksum of each
 };
 
