@@ -39,13 +39,7 @@ std::string checked(const std::string& plugin) {
 }  // namespace
 
 const std::vector<std::string>& own_implementations() {
-  static const std::vector<std::string> words = {"model",
-                                                 "rtl",
-                                                 "lockstep",
-                                                 "gates",
-                                                 "gates:osu018",
-                                                 "lockstep:gates",
-                                                 "lockstep:gates:osu018"};
+  static const std::vector<std::string> words = {"model", "rtl", "lockstep", "gates"};
   return words;
 }
 
@@ -94,8 +88,8 @@ unit_choice UseOption::choice_of(const std::string& unit, const std::string& tex
   if (is_source_list(file) || std::filesystem::path(file).extension() == ".so")
     return {driver, beside, checked(plugins_.users(unit, file, open))};
   std::vector<std::string> known = own_implementations();
-  for (const char* file : {"gates:FILE.sv", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f", "FOLDER",
-                           "FILE.so", "lockstep:FILE.sv"})
+  for (const char* file : {"gates:osu018", "gates:FILE.sv", "FILE.sv", "FILE.sv+FILE.sv", "LIST.f",
+                           "FOLDER", "FILE.so", "lockstep:gates", "lockstep:FILE.sv"})
     known.emplace_back(file);
   throw unknown_name("implementation", text, known);
 }
