@@ -42,7 +42,7 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
   COMPONENT program)
 install(
-  FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_model.h sc/swap/rtl_runtime.h
+  FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_model.h sc/swap/rtl_power_up.h sc/swap/rtl_runtime.h
   DESTINATION ${RACEBEAM_DATADIR}/sc/swap
   COMPONENT program)
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "sc/swap/built_in_plugin.h"
+#include "sc/swap/rtl_power_up.h"
 #include "sc/swap/rtl_run.h"
 
 namespace racebeam {
@@ -46,6 +47,11 @@ std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void
   const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make_2"));
   if (!maker)
     throw RtlError(path + " is no plug-in of this racebeam; make one with `racebeam verilate`");
+  const rtl_power_up start = RtlPowerUp::now();
+  if (const auto set = reinterpret_cast<rtl_power_up_setter>(dlsym(library.get(), "rtl_power_up_1")))
+    set(start);
+  else if (start.registers != RtlZeros)
+    throw RtlError(path + " was built before there was a choice of power-up; build it again");
   rtl_model* model = maker(&rtl_run_host());
   return {model, model->destroy};
 }

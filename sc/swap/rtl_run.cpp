@@ -33,6 +33,8 @@ struct Evaluation {
   const rtl_model* model;
   const char* unit;  // the model lies in the heap, which RTL may break
   std::uint64_t clock;
+  bool settled;                         // its inputs have the values of the clock
+  bool excused;                         // an assertion that was told last, as they had not
   volatile sig_atomic_t inside;         // RTL runs, and nothing of ours
   volatile std::uint64_t number, seen;  // of the evaluation, and when the clock looked last
   volatile int looks;                   // in vain
@@ -76,12 +78,20 @@ std::string said() {
   return "error" + (colon == std::string::npos ? "" : text.substr(colon));
 }
 
+/// What is printed of an assertion that fails, and by $error.
+bool is_assertion(const std::string& text) {
+  return text.find("%Error: ") != std::string::npos &&
+         text.find("Assertion failed in ") != std::string::npos;
+}
+
 void print(const char* format, va_list values) {
   const Outside ours;
   char* text = nullptr;
   if (vasprintf(&text, format, values) < 0) return;
   const std::string all(text);
   std::free(text);
+  now.excused = !now.settled && is_assertion(all);
+  if (now.excused) return;
   if (listener && listener(all)) return;
   std::fputs(all.c_str(), stderr);
   printed += all.size();
@@ -96,6 +106,7 @@ void print(const char* format, va_list values) {
 
 void end(rtl_end how, const char* file, int line_number, const char* message) {
   const Outside ours;
+  if (how == RtlStop && std::exchange(now.excused, false)) return;
   const std::string at = in_clock() + place(file, line_number);
   if (how == RtlFinish) throw RtlFault(at + "$finish");
   if (how == RtlStop) throw RtlFault(at + said());
@@ -252,6 +263,7 @@ void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
   now.model = &model;
   now.unit = model.unit;
   now.clock = clock;
+  now.settled = step == model.rise;
   now.number = now.number + 1;
   bool whole = false;
   try {

@@ -16,6 +16,7 @@
 #include "tb/bench/benches.h"
 #include "tb/monitor/pin_probe.h"
 #include "tb/twin/engine_raster.h"
+#include "tb/twin/lockstep_report.h"
 
 namespace racebeam {
 
@@ -84,6 +85,7 @@ struct WiredBench::Platform {
   void put_all_beside();
   void probe(std::function<void()> see);
   void look_each_clock();
+  std::string place_now(const sc_core::sc_time& begin) const;
   void start(const sc_core::sc_time& time);
   void end_clock() {
     if (watches.stats) dut->count();
@@ -219,8 +221,21 @@ void WiredBench::settle() {
   for (auto& lockstep : platform_->locksteps) lockstep->settle();
 }
 
+/// Where the beam was when RTL ended, in a run that began at `begin`, a quarter into its clock.
+std::string WiredBench::Platform::place_now(const sc_core::sc_time& begin) const {
+  const int clock = frame_clock + static_cast<int>((sc_core::sc_time_stamp() - begin) / period);
+  const int line = raster.first_line + clock / raster.line_clocks();
+  return " (" + place_text({next_frame, line, clock % raster.line_clocks()}, raster) + ")";
+}
+
 void WiredBench::Platform::start(const sc_core::sc_time& time) {
-  simulate(time);
+  const sc_core::sc_time begin = sc_core::sc_time_stamp();
+  try {
+    simulate(time);
+  } catch (const RtlFault& fault) {
+    if (next_frame == UnknownPicture) throw;
+    throw RtlFault(fault.what() + place_now(begin));
+  }
   if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
 }
 

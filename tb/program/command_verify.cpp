@@ -128,6 +128,13 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
                         seconds,
                         {},
                         unit->fault().value_or("")};
+    if (!verdict.fault.empty()) {
+      const BeamPlace place = place_of(unit->clocks(), frames, raster);
+      verdict.fault +=
+          " (" +
+          (show.engine().races_beam ? place_text(place, raster) : picture_text(place, raster)) +
+          ")";
+    }
     if (const auto& d = unit->first()) {
       const BeamPlace place = place_of(d->clock, frames, raster);
       const DifferenceContext context{

@@ -41,8 +41,8 @@ void Lockstep::compare() {
     if (!first_) first_ = difference(n, expected, got);
   }
   differences_ += differs;
-  ++clocks_;
   rtl_.edge();
+  ++clocks_;
 }
 
 void Lockstep::remember() {

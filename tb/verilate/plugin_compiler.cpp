@@ -139,7 +139,7 @@ std::string included(const std::string& file) { return "#include \"" + file + "\
 std::string compile_key() {
   return content_key({Recipe, compiler(), verilator_version(),
                       file_key(swap_file("rtl_glue.cc.in")), file_key(swap_file("rtl_model.h")),
-                      file_key(swap_file(RuntimeHeader))});
+                      file_key(swap_file("rtl_power_up.h")), file_key(swap_file(RuntimeHeader))});
 }
 
 void compile_plugin(const WorkFolder& work, const std::string& facts, const std::string& texts,

@@ -132,8 +132,8 @@ std::string write_rtl_classes(const RtlSources& sources, const std::string& work
                               const std::function<void()>& tick) {
   // Verilator 5.006 gets netlists wrong in the two optimisations that are turned off here.
   std::vector<std::string> words = {"--cc",         "-O3",        "-fno-const-bit-op-tree",
-                                    "-fno-dfg",     "--x-assign", "fast",
-                                    "--x-initial",  "fast",       "--noassert",
+                                    "-fno-dfg",     "--x-assign", "unique",
+                                    "--x-initial",  "unique",     "--assert",
                                     "--top-module", sources.top,  "--prefix",
                                     "Vrtl",         "--Mdir",     work};
   if (sources.signals && !sources.marked_only) words.emplace_back("--public-flat-rw");
