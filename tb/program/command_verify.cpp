@@ -19,6 +19,7 @@
 #include "tb/bench/surroundings.h"
 #include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
+#include "tb/program/verify_replay.h"
 #include "tb/program/verify_report.h"
 #include "tb/program/verify_stream.h"
 #include "tb/program/verify_unit.h"
@@ -263,6 +264,7 @@ Run plan_verify(const VerifyOptions& options) {
 }
 
 int command_verify(const VerifyOptions& options) {
+  if (!options.replay.empty()) return verify_replay(options);
   auto [show, level, k, choices] = plan_verify(options);
   const UseOption use(show.engine(), k, show.tables());
   if (options.units.empty()) use.lockstep(choices, "all");
@@ -279,28 +281,7 @@ int command_verify(const VerifyOptions& options) {
     for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
       verdicts.push_back(verdict);
 
-  bool differs = false, faulty = false;
-  Json json = Json::array();
-  for (const UnitVerdict& verdict : verdicts) {
-    differs |= verdict.differences > 0;
-    faulty |= !verdict.fault.empty();
-    json.push_back(to_json(verdict));
-  }
-  if (options.json) {
-    print(
-        Json{{"schema", "racebeam-verify"}, {"version", 1}, {"seed", options.seed}, {"units", json}}
-            .dump(2) +
-        "\n");
-  } else {
-    print(verdict_table(verdicts));
-  }
-  for (const UnitVerdict& verdict : verdicts) {
-    if (verdict.first) tell_difference(verdict.first->text);
-    if (!verdict.fault.empty()) tell(verdict.unit + ": " + verdict.fault);
-  }
-  if (interrupted()) return ExitInterrupted;
-  if (faulty) return ExitUsage;
-  return differs ? ExitDifference : ExitGood;
+  return tell_verdicts(verdicts, options.seed, options.json);
 }
 
 namespace {
@@ -344,6 +325,12 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
       .excludes(random);
   command.add_flag("--no-shrink", options.no_shrink,
                    "Leave a difference on random traffic as it was found");
+  command
+      .add_option("--replay", options.replay,
+                  "Traffic that `racebeam capture` wrote, into the RTL alone; UNIT=model too; all: "
+                  "every frame of the scene, or the first --frames of them, kept in parts in -o")
+      .type_name("FILE")
+      .check(not_empty);
   command.add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }

@@ -26,6 +26,7 @@ struct VerifyOptions : RunOptions, ShakeOptions {
   std::string folder = "racebeam_verify";  ///< for waveforms of differences
   std::string stream;                      ///< file that is all that is played; empty: none
   bool no_shrink = false;                  ///< differences alone stay as they were found
+  std::string replay;                      ///< a file of traffic, instead of frames and random
   bool watch = false;                      ///< for verify_watch()
   bool json = false;
 };

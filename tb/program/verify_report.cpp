@@ -6,6 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tb/base/console.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/twin/lockstep_report.h"
+
 namespace racebeam {
 
 using Json = nlohmann::ordered_json;
@@ -57,9 +62,13 @@ UnitVerdict verdict_of(const Json& json) {
                       json["seconds"],
                       {},
                       json["fault"].is_null() ? "" : json["fault"]};
-  if (const Json& d = json["first"]; !d.is_null())
+  if (const Json& d = json["first"]; !d.is_null()) {
     verdict.first = FirstDifference{d["port"], d["clock"], d["expected"], d["got"],
                                     {},        d["text"],  shrunk_of(d)};
+    if (d.contains("place"))
+      verdict.first->place =
+          BeamPlace{d["place"]["frame"], d["place"]["line"], d["place"]["clock"]};
+  }
   return verdict;
 }
 
@@ -73,6 +82,30 @@ std::string verdict_table(const std::vector<UnitVerdict>& verdicts) {
     text += v.fault.empty() ? row : row.substr(0, row.size() - 1) + "  " + v.fault + "\n";
   }
   return text;
+}
+
+int tell_verdicts(const std::vector<UnitVerdict>& verdicts, long long seed, bool as_json) {
+  bool differs = false, faulty = false;
+  Json json = Json::array();
+  for (const UnitVerdict& verdict : verdicts) {
+    differs |= verdict.differences > 0;
+    faulty |= !verdict.fault.empty();
+    json.push_back(to_json(verdict));
+  }
+  if (as_json) {
+    print(Json{{"schema", "racebeam-verify"}, {"version", 1}, {"seed", seed}, {"units", json}}.dump(
+              2) +
+          "\n");
+  } else {
+    print(verdict_table(verdicts));
+  }
+  for (const UnitVerdict& verdict : verdicts) {
+    if (verdict.first) tell_difference(verdict.first->text);
+    if (!verdict.fault.empty()) tell(verdict.unit + ": " + verdict.fault);
+  }
+  if (interrupted()) return ExitInterrupted;
+  if (faulty) return ExitUsage;
+  return differs ? ExitDifference : ExitGood;
 }
 
 }  // namespace racebeam

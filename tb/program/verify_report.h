@@ -16,6 +16,10 @@ namespace racebeam {
 /// with a head.
 std::string verdict_table(const std::vector<UnitVerdict>& verdicts);
 
+/// Prints the table, or JSON, then what was found on stderr. The exit code: ExitInterrupted,
+/// ExitUsage if RTL has ended before its comparison, ExitDifference if one differs.
+int tell_verdicts(const std::vector<UnitVerdict>& verdicts, long long seed, bool json);
+
 nlohmann::ordered_json to_json(const UnitVerdict& verdict);
 UnitVerdict verdict_of(const nlohmann::ordered_json& json);
 

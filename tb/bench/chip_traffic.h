@@ -1,0 +1,26 @@
+// The traffic of a unit in the wired chip, recorded.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tb/bench/wired_bench.h"
+#include "tb/twin/traffic_file.h"
+
+namespace racebeam {
+
+/// Who takes the traffic, once the ports are known.
+using OpenSink = std::function<TrafficSink&(const std::vector<PortTraffic::Port>& ports)>;
+
+/// Puts the chip through `frames`, or pictures, as `verify` does: in reset, then each of them after
+/// seek(). `done` is told of each. Throws what WiredBench and the sink throw.
+void record_chip_traffic(const WiredBench::Setting& setting, const std::string& unit,
+                         const std::vector<int>& frames, const OpenSink& open,
+                         const std::function<void(int frames, std::uint64_t clocks)>& done);
+
+}  // namespace racebeam
