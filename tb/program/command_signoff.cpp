@@ -198,6 +198,8 @@ int run_signoff(Options& options) {
     if (std::none_of(engines().begin(), engines().end(),
                      [&](const engine* one) { return one->unit(waiver.unit) != nullptr; }))
       throw UsageError(waiver.place + ": no engine has a unit " + waiver.unit);
+  for (const std::string& file : {options.junit, options.page})
+    if (!file.empty()) const OutputFile tried(file);  // it is written after an hour
   make_folder(options.signoff.folder);
   catch_interrupts();
   const SignoffReport report = sign_off(options, run, checks, asked);
