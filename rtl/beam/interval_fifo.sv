@@ -121,6 +121,13 @@ module interval_fifo #(
   assign display_o = display[1:0];
   assign display_half_o = ValueBits > 2 && display[ValueBits-1];
   assign fill_o = 7'(FifoEntries) - 7'(tail_ptr_q);
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (!tracer_reset_i)
+      assert (tail_ptr_q <= OnlyHead)
+      else $error("it has more entries than there are");
+`endif
 endmodule
 
 `default_nettype wire

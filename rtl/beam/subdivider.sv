@@ -232,6 +232,13 @@ module subdivider #(
   assign sp_o = racebeam_pkg::StackPointerPortBits'(sp_q);
   assign sd_o = racebeam_pkg::StackCountPortBits'(sd_q);
   assign line_done_o = line_done_q;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (!tracer_reset_i)
+      assert (32'(sp_q) < IntervalStackDepth)
+      else $error("the stack pointer is beyond the stack");
+`endif
 endmodule
 
 `default_nettype wire

@@ -56,6 +56,13 @@ module block_scheduler #(
   assign job_x_o = x_q;
   assign job_y_o = y_q;
   assign done_o = !deals_q && busy_i[Cores-1:0] == '0;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni)
+      assert ($onehot0(job_valid_o))
+      else $error("a job is dealt to several cores");
+`endif
 endmodule
 
 `default_nettype wire

@@ -77,6 +77,16 @@ module write_buffer #(
     fill_o = 8'(head_q) - 8'(tail_q);
     if (full_q || head_q < tail_q) fill_o = fill_o + 8'(WriteBufferDepth);
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni) begin
+      assert (32'(head_q) < WriteBufferDepth && 32'(tail_q) < WriteBufferDepth)
+      else $error("a pointer is beyond the last entry");
+      assert (!full_q || head_q == tail_q)
+      else $error("it is full, and the pointers do not meet");
+    end
+`endif
 endmodule
 
 `default_nettype wire

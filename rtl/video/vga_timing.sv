@@ -124,6 +124,13 @@ module vga_timing #(
     end
     vs_q <= vs_d;
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni)
+      assert (h_pos_q <= h_last && v_pos_q <= v_last)
+      else $error("the beam is beyond the end of its region");
+`endif
 endmodule
 
 `default_nettype wire
