@@ -38,11 +38,12 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}/tb/report
   COMPONENT program)
 install(
-  FILES tb/signoff/waivers.toml
+  FILES tb/signoff/coverage_waivers.toml tb/signoff/waivers.toml
   DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
   COMPONENT program)
 install(
-  FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_model.h sc/swap/rtl_power_up.h sc/swap/rtl_runtime.h
+  FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_coverage.cc.in sc/swap/rtl_coverage.h
+        sc/swap/rtl_model.h sc/swap/rtl_power_up.h sc/swap/rtl_runtime.h
   DESTINATION ${RACEBEAM_DATADIR}/sc/swap
   COMPONENT program)
 

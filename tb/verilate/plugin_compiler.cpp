@@ -29,6 +29,7 @@ constexpr const char* Level = "-O1";
 constexpr const char* OfVerilator = "verilator-";  ///< names in the cache of what no RTL changes
 
 constexpr const char* RuntimeHeader = "rtl_runtime.h";
+constexpr const char* CoverageGlue = "rtl_coverage.cc.in";
 
 std::string swap_file(const std::string& name) { return project_folder() + "/sc/swap/" + name; }
 
@@ -142,8 +143,13 @@ std::string compile_key() {
                       file_key(swap_file("rtl_power_up.h")), file_key(swap_file(RuntimeHeader))});
 }
 
+std::string coverage_key() {
+  return content_key(
+      {"coverage", file_key(swap_file(CoverageGlue)), file_key(swap_file("rtl_coverage.h"))});
+}
+
 void compile_plugin(const WorkFolder& work, const std::string& facts, const std::string& texts,
-                    const std::function<void()>& tick, const std::string& out) {
+                    bool coverage, const std::function<void()>& tick, const std::string& out) {
   const Compiler cxx(work, tick);
   cxx.share_headers();
   std::string classes = facts;
@@ -155,11 +161,16 @@ void compile_plugin(const WorkFolder& work, const std::string& facts, const std:
     classes += included(file);
   }
   cxx.compile(texts, "texts.o");
-  const std::string runtime = included("verilated.cpp") + included("verilated_threads.cpp");
-  cxx.link(
-      {cxx.cached_object(OfVerilator, runtime, {}),
-       cxx.cached_object("", classes + included("sc/swap/rtl_glue.cc.in"), contents), "texts.o"},
-      out);
+  std::string runtime = included("verilated.cpp") + included("verilated_threads.cpp");
+  classes += included("sc/swap/rtl_glue.cc.in");
+  if (coverage) {
+    runtime += included("verilated_cov.cpp");
+    classes += included(std::string("sc/swap/") + CoverageGlue);
+    contents.push_back(coverage_key());
+  }
+  cxx.link({cxx.cached_object(OfVerilator, runtime, {}), cxx.cached_object("", classes, contents),
+            "texts.o"},
+           out);
 }
 
 }  // namespace racebeam

@@ -19,10 +19,14 @@ namespace racebeam {
 /// is no compiler.
 std::string compile_key();
 
+/// The same for what plug-ins that count their coverage have beside.
+std::string coverage_key();
+
 /// Compiles the class Vrtl that write_rtl_classes() has written into `work`, with `facts`, macros
-/// for sc/swap/rtl_glue.cc.in, and `texts`, the variables that it looks for, and links it to `out`.
-/// Throws RtlError with what the compiler says, MissingTool, Interrupted.
+/// for sc/swap/rtl_glue.cc.in, and `texts`, the variables that it looks for, and links it to `out`;
+/// `coverage`: the class counts its coverage. Throws RtlError with what the compiler says,
+/// MissingTool, Interrupted.
 void compile_plugin(const WorkFolder& work, const std::string& facts, const std::string& texts,
-                    const std::function<void()>& tick, const std::string& out);
+                    bool coverage, const std::function<void()>& tick, const std::string& out);
 
 }  // namespace racebeam

@@ -156,7 +156,8 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
-  compile_plugin(work, known, texts(syntax, whole.made_with, circular), line.tick(), out);
+  compile_plugin(work, known, texts(syntax, whole.made_with, circular), sources.coverage,
+                 line.tick(), out);
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ std::string rtl_plugin(const RtlSources& sources) {
                                       !sources.signals      ? "ports"
                                       : sources.marked_only ? "marked signals"
                                                             : "signals",
-                                      compile_key()};
+                                      sources.coverage ? coverage_key() : "", compile_key()};
     parts.insert(parts.end(), sources.made_with.begin(), sources.made_with.end());
     const std::string key = content_key(parts);
     try {

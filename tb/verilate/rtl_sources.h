@@ -24,6 +24,7 @@ struct RtlSources {
   bool marked_only = false;  ///< of signals those that the source marks, as Verilator has it
   /// "Name=value" of parameters that the files were made with and have no longer: gates.
   std::vector<std::string> made_with = {};
+  bool coverage = false;  ///< it counts its lines, branches and toggling bits
 };
 
 }  // namespace racebeam

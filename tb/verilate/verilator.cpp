@@ -137,6 +137,7 @@ std::string write_rtl_classes(const RtlSources& sources, const std::string& work
                                     "--top-module", sources.top,  "--prefix",
                                     "Vrtl",         "--Mdir",     work};
   if (sources.signals && !sources.marked_only) words.emplace_back("--public-flat-rw");
+  if (sources.coverage) words.insert(words.end(), {"--coverage-line", "--coverage-toggle"});
   if (split) words.insert(words.end(), {"--output-split", "20000", "--output-split-cfuncs", "500"});
   return run_verilator(sources, words, tick);
 }
