@@ -1,0 +1,45 @@
+// Waivers: coverage points that are not hit, each looked at by somebody, with the reason.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tb/scene/faults.h"
+#include "tb/signoff/coverage_points.h"
+
+namespace racebeam {
+
+struct CoverageWaiver {
+  std::vector<std::string> units;  ///< under test, not the module that the point is in
+  CoveragePoint::Kind kind = CoveragePoint::Line;
+  std::string module;  ///< the unit's own, or one below
+  /// CoveragePoint::title() of each; "sp_q[5:3]" stands for three bits, "room_o" for all that it
+  /// has.
+  std::vector<std::string> points;
+  std::string when;    ///< a condition over the RTL's parameters, or "": it holds for no other chip
+  std::string reason;  ///< why it cannot be hit, or need not
+  Place place{};
+};
+
+struct WaiversResult {
+  std::vector<CoverageWaiver> waivers;  ///< usable only without faults
+  Faults faults{};
+};
+
+/// Of a TOML text with tables [[waiver]]. A waiver without a reason is a fault.
+WaiversResult read_coverage_waivers(std::string_view text);
+
+/// Those of a file; "" stands for the project's, tb/signoff/coverage_waivers.toml. Throws
+/// UsageError after all faults are on stderr, MissingTool if the program was installed without.
+std::vector<CoverageWaiver> load_coverage_waivers(const std::string& path);
+/// The path of the project's.
+std::string own_coverage_waivers();
+
+/// Whether `wanted`, one of CoverageWaiver::points, stands for the point.
+bool names_point(const std::string& wanted, const CoveragePoint& point);
+
+}  // namespace racebeam

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/unit_drive.h"
+
+#include <stdexcept>
+
+#include "sc/beam/sequencer.h"
+#include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
+#include "tb/scene/engines.h"
+
+namespace racebeam {
+
+namespace {
+
+constexpr std::uint64_t Look = 1024;  // clocks, then it looks for an interrupt
+
+/// No episode is long enough to count there. One in four: the last frame.
+int any_frame(int frames, unsigned random) {
+  const auto count = static_cast<unsigned>(frames);
+  return static_cast<int>(random % 4 == 0 ? count - 1 : random / 4 % count);
+}
+
+}  // namespace
+
+UnitDrive::UnitDrive(const UnitUnderTest& dut, const std::string& plugin, Stimulus stimulus,
+                     unsigned seed)
+    : model_(engine_of(dut.k).unit(dut.unit)->make("model", dut.k, dut.scene)),
+      lockstep_("lockstep", dut.unit, *model_, engine_of(dut.k).parameters(dut.k), plugin),
+      bench_(*model_, &lockstep_.clk_i) {
+  lockstep_.outlive_faults();
+  const Twins& row = twins_of(engine_of(dut.k));
+  if (stimulus == Walk) {
+    const UnitWalk* const walk = row.walk(dut.unit);
+    if (!walk) throw std::logic_error(dut.unit + " has no walk");
+    next_ = walk->begin(bench_, dut.k, seed);
+    return;
+  }
+  const auto traffic = std::make_shared<RandomTraffic>(bench_, row.inputs(dut.k), seed);
+  if (auto* counter = dynamic_cast<sequencer_pins*>(model_.get()))
+    traffic->at_episodes([this, counter, frames = dut.frames](unsigned random) {
+      const int frame = any_frame(frames, random);
+      counter->deposit(frame);
+      lockstep_.deposit([&](rtl_instance& rtl) { rtl.seek(frame); });
+    });
+  next_ = [traffic] { traffic->next(); };
+}
+
+void UnitDrive::run(std::uint64_t clocks, const std::function<void()>& each) {
+  for (std::uint64_t clock = 0; clock < clocks && !lockstep_.fault(); ++clock) {
+    if (clock % Look == 0 && interrupted()) throw Interrupted();
+    next_();
+    bench_.settle();
+    if (each) each();
+    bench_.clock();
+  }
+}
+
+}  // namespace racebeam
