@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/bench/wired_bench.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <string>
@@ -14,6 +16,7 @@
 #include "tb/base/interrupt.h"
 #include "tb/base/simulate.h"
 #include "tb/bench/benches.h"
+#include "tb/bench/hang_watch.h"
 #include "tb/monitor/pin_probe.h"
 #include "tb/twin/engine_raster.h"
 #include "tb/twin/lockstep_report.h"
@@ -71,6 +74,7 @@ struct WiredBench::Platform {
   std::unique_ptr<Surroundings> around;  // nullptr: nothing
   std::vector<std::unique_ptr<EdgeProbe>> probes;
   std::vector<std::unique_ptr<Lockstep>> locksteps;
+  std::unique_ptr<HangWatch> hang;  // nullptr: models only, which do not hang
   int next_frame = 0;
   int frame_clock = 0;  // of the frame that is being simulated
   std::uint64_t clocks = 0;
@@ -91,6 +95,9 @@ struct WiredBench::Platform {
     if (watches.stats) dut->count();
     if (around) around->clock();
   }
+  void watch_hangs();
+  void check_hang() const;
+  std::string last_progress() const;
   bool tiny_vga() const { return dut->video().bits == TinyVga.bits; }
 
   Platform(const Setting& s, const Watches& w)
@@ -120,6 +127,7 @@ struct WiredBench::Platform {
     if (w.stats || around) probe([this] { end_clock(); });
     if (w.each_edge) probe([this] { watches.each_edge(*dut); });
     put_all_beside();
+    watch_hangs();
 
     // One edge in reset, after all wires have settled; then we stand inside the first clock of
     // frame 0, and after each frame inside the first clock of the next.
@@ -159,6 +167,33 @@ void WiredBench::Platform::put_all_beside() {
   if (setting.units.of(built.top).lockstep) put_beside("top", built.top, *dut).check_wiring(*dut);
 }
 
+void WiredBench::Platform::watch_hangs() {
+  const auto is_rtl = [](const auto& one) { return one.second.driver == unit_choice::Rtl; };
+  const auto& chosen = setting.units.by_unit;
+  if (std::any_of(chosen.begin(), chosen.end(), is_rtl))
+    hang =
+        std::make_unique<HangWatch>(*dut, setting.k, waits_of(setting.built), clk.posedge_event(),
+                                    period, raster.line_clocks(), stalls != nullptr);
+}
+
+void WiredBench::Platform::check_hang() const {
+  if (!hang->hangs(around && !around->busy())) return;
+  const std::string seen =
+      hang->stands()
+          ? fmt::format("the last time that {} was {}", hang->kind().what, last_progress())
+          : fmt::format("{} has not risen for {} clocks", hang->kind().rare, hang->rare_clocks());
+  throw RtlFault("the chip makes no progress: " + seen + "\n" + hang->chain());
+}
+
+std::string WiredBench::Platform::last_progress() const {
+  const auto ago = static_cast<long long>(hang->clocks());
+  const long long at = frame_clock - ago;
+  if (around) return fmt::format("{} clocks ago", ago);
+  if (at < 0) return fmt::format("before frame {}, {} clocks ago", next_frame, ago);
+  return fmt::format("in frame {}, line {}, clock {}, {} clocks ago", next_frame,
+                     raster.first_line + at / raster.line_clocks(), at % raster.line_clocks(), ago);
+}
+
 WiredBench::WiredBench(const Setting& setting) : WiredBench(setting, {}) {}
 WiredBench::WiredBench(const Setting& setting, const Watches& watches)
     : platform_(new Platform(setting, watches)) {}
@@ -193,6 +228,7 @@ void WiredBench::advance(int clocks) {
     p.start(count * p.period);
     p.clocks += count;
     p.frame_clock += count;
+    if (p.hang) p.check_hang();
   }
   if (p.frame_clock < p.raster.frame_clocks()) return;
   p.frame_clock = 0;

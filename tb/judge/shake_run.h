@@ -24,7 +24,7 @@ struct ShakenPicture {
   std::uint64_t pixels = 0;             ///< whose colours differ
   int x = 0, y = 0;                     ///< the first of them
   std::uint32_t expected = 0, got = 0;  ///< its colour without stalls, and with them
-  std::uint64_t starved = 0;            ///< pixels that the beam had to show too soon
+  std::uint64_t starved = 0;            ///< pixels shown too soon, and intervals given up for that
 };
 
 class ShakeRun {

@@ -118,7 +118,7 @@ std::string difference_text(const ShakeCommandOptions& options, const stall_plan
       picture.expected);
   if (picture.starved > 0)
     text += fmt::format(
-        "\n{} pixels starved: if the units are right, they need more time: fewer "
+        "\n{} pixels or intervals starved: if the units are right, they need more time: fewer "
         "stalls, or a slower beam (--set {}={})",
         picture.starved, HeldBack, Slowest);
   return text + "\nagain: " + repeat_text(options, plan, picture);

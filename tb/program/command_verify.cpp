@@ -257,6 +257,7 @@ Run plan_verify(const VerifyOptions& options) {
     throw UsageError(
         fmt::format("--frames {} is out of range; the scene has {}", frames, run.show.frames()));
   stall_plan_of(run.show.engine(), options);
+  leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   if (!options.shake.empty() && frames == 0)
     throw UsageError("--shake stalls the chip's own traffic; leave out --frames 0, or --shake");
   try_folder(options.folder);  // a difference may be found after an hour

@@ -237,7 +237,7 @@ std::shared_ptr<const stall_plan> stall_plan_of(const engine& built, const Shake
 
 void leave_out_whole_chip(const engine& built, const ShakeOptions& options,
                           const std::vector<std::string>& words, unit_choices& choices) {
-  if (options.shake.empty()) return;
+  if (options.shake.empty() || !*built.top) return;
   for (const std::string& word : words)
     if (word.rfind(built.top, 0) == 0)
       throw UsageError(fmt::format(

@@ -84,9 +84,11 @@ TEST_F(CliShakeTest, StallsMoveTimeAndAreTheSameInEachRender) {
   Words quiet = words;
   quiet.erase(quiet.begin() + 4, quiet.begin() + 6);
   quiet.insert(quiet.end(), {"--level", "signal"});
-  Program first(folder.path(), words), again(folder.path(), words), other(folder.path(), quiet);
+  const ScratchFolder other_folder, quiet_folder;
+  Program first(folder.path(), words), again(other_folder.path(), words),
+      other(quiet_folder.path(), quiet);
   ASSERT_EQ(first.wait(), 0) << first.err();
-  ASSERT_EQ(again.wait(), 0);
+  ASSERT_EQ(again.wait(), 0) << again.err();
   ASSERT_EQ(other.wait(), 0) << other.err();
   EXPECT_EQ(first.out(), again.out());
   EXPECT_NE(first.out(), other.out());

@@ -44,7 +44,7 @@ class ShakenChannel : public testing::TestWithParam<Channel> {
     const bool beam = GetParam().scene == std::string(Beam);
     const racebeam::Run run =
         run_of(GetParam().scene,
-               beam ? std::vector<std::string>{"clocks_per_pixel=4"} : std::vector<std::string>{});
+               beam ? std::vector<std::string>{"clocks_per_pixel=8"} : std::vector<std::string>{});
     ShakeRun shaken(run, plan_of(run, "1,0.05,0.75", {GetParam().name}));
     const int picture = beam ? Tunnel : 0;
     ASSERT_EQ(shaken.objection(picture), "");
@@ -74,6 +74,23 @@ INSTANTIATE_TEST_SUITE_P(LongNames, LongChannel,
                                          Channel{Sphere, "word"}, Channel{Block, "job"},
                                          Channel{Block, "core_word"}, Channel{Block, "word"},
                                          Channel{Block, "take"}));
+
+// 100 seeds x 12 frames: none has the lock effect.
+class LongFrame : public testing::TestWithParam<int> {};
+TEST_P(LongFrame, KeepsEveryColourUnderAHundredSeeds) {
+  const racebeam::Run run = run_of(Beam, {"clocks_per_pixel=8"});
+  ShakeRun shaken(run, plan_of(run, "1"));
+  ASSERT_EQ(shaken.objection(GetParam()), "");
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const ShakenPicture got = shaken.shake(seed, GetParam());
+    ASSERT_EQ(got.pixels, 0u) << "seed " << seed << ", (" << got.x << ", " << got.y << ")";
+    ASSERT_EQ(got.starved, 0u) << "seed " << seed;
+    ASSERT_GT(got.stalled, 1'000'000u);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(LongFrames, LongFrame,
+                         testing::Values(0, 900, 1800, 4300, 5000, 5900, 6800, 7223, 8600, 9800,
+                                         11000, 12500));
 
 TEST(ShakeRun, EveryChannelThatMayStallIsInTheTestsAbove) {
   std::size_t count = 0;

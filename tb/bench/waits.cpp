@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/bench/waits.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "sc/beam/engine.h"
+#include "sc/block/engine.h"
+#include "sc/sphere/engine.h"
+#include "sc/voxel/engine.h"
+#include "tb/bench/beam_waits.h"
+#include "tb/bench/picture_waits.h"
+
+namespace racebeam {
+
+const WaitKind& waits_of(const engine& built) {
+  // Lines of a raster of 525.
+  static const std::vector<WaitKind> table = {
+      {beam_engine(), {"ack"}, "an interval was taken", 2, "line_done", 50, make_beam_waits},
+      {sphere_engine(),
+       {"word_valid", "table_write", "take_valid"},
+       "a word was offered",
+       525,
+       nullptr,
+       0,
+       make_sphere_waits},
+      {block_engine(),
+       {"bus_valid", "write", "take_valid"},
+       "a word was offered",
+       525,
+       nullptr,
+       0,
+       make_block_waits},
+      {voxel_engine(),
+       {"put_valid", "occupancy_write", "take_valid"},
+       "a word was offered",
+       525,
+       nullptr,
+       0,
+       make_voxel_waits},
+  };
+  for (const WaitKind& kind : table)
+    if (&kind.engine == &built) return kind;
+  throw std::out_of_range(std::string("no waits of ") + built.name);
+}
+
+std::string text_of(const std::vector<Wait>& chain) {
+  std::string text;
+  for (const Wait& wait : chain) {
+    text += text.empty() ? "" : ";\n";
+    text += wait.unit + (wait.port.empty() ? " waits for nobody" : " waits for " + wait.port);
+    if (wait.clocks > 0) text += fmt::format(", for {} clocks", wait.clocks);
+    if (!wait.what.empty()) text += ": " + wait.what;
+  }
+  return text;
+}
+
+}  // namespace racebeam
