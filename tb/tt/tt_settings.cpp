@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -33,15 +32,14 @@ std::vector<std::string> words_of(const Json& json, const char* key) {
 
 }  // namespace
 
-TtSettings read_config_json(const std::string& path) {
-  std::ifstream in(path);
+TtSettings read_config_json(std::istream& in, const std::string& folder) {
   const Json json = Json::parse(in, nullptr, false, true);
   if (!json.is_object()) return {};
   TtSettings settings;
   const std::string here = "dir::";  // the folder of the file
-  for (std::string folder : words_of(json, "VERILOG_INCLUDE_DIRS")) {
-    if (folder.rfind(here, 0) == 0) folder.erase(0, here.size());
-    const fs::path whole = (fs::path(path).parent_path() / folder).lexically_normal();
+  for (std::string name : words_of(json, "VERILOG_INCLUDE_DIRS")) {
+    if (name.rfind(here, 0) == 0) name.erase(0, here.size());
+    const fs::path whole = (fs::path(folder) / name).lexically_normal();
     std::error_code error;
     if (fs::is_directory(whole, error)) settings.include_folders.push_back(whole.string());
   }
@@ -50,8 +48,7 @@ TtSettings read_config_json(const std::string& path) {
   return settings;
 }
 
-std::vector<std::string> read_test_defines(const std::string& path) {
-  std::ifstream in(path);
+std::vector<std::string> read_test_defines(std::istream& in) {
   std::vector<std::string> defines;
   struct Part {
     bool about_gates, gates;  // a condition asks for gates; it is their part

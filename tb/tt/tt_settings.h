@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,11 @@ struct TtSettings {
   std::vector<std::string> defines;  ///< "NAME" or "NAME=VALUE"
 };
 
-/// VERILOG_INCLUDE_DIRS and VERILOG_DEFINES or SYNTH_DEFINES of a config.json of LibreLane.
-TtSettings read_config_json(const std::string& path);
+/// VERILOG_INCLUDE_DIRS and VERILOG_DEFINES or SYNTH_DEFINES of a config.json of LibreLane, which
+/// lies in `folder`.
+TtSettings read_config_json(std::istream& in, const std::string& folder);
 
 /// The -D of COMPILE_ARGS in a Makefile of cocotb, but those of its gate-level part.
-std::vector<std::string> read_test_defines(const std::string& path);
+std::vector<std::string> read_test_defines(std::istream& in);
 
 }  // namespace racebeam

@@ -37,6 +37,9 @@ class Reader {
   explicit Reader(const std::string& top) { sources_.top = top; }
 
   void read(const std::string& name) {
+    // The system would take what is before it for the name.
+    if (name.find('\0') != std::string::npos)
+      throw UsageError("a zero byte in the name of a file for the unit " + sources_.top);
     const fs::path path(name);
     std::error_code error;
     named_.push_back(name);
@@ -56,8 +59,11 @@ class Reader {
 
   void read_folder(const fs::path& folder) {
     std::vector<std::string> files;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (is_rtl(entry.path())) files.push_back(entry.path().string());
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+      if (is_rtl(at->path())) files.push_back(at->path().string());
+    if (error)
+      throw UsageError("cannot read the folder " + folder.string() + ": " + error.message());
     if (files.empty()) throw UsageError("the folder " + folder.string() + " has no .sv or .v file");
     std::sort(files.begin(), files.end());
     // Packages are compiled before what uses them.
