@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knobs.h"
@@ -202,6 +203,64 @@ TEST(Docs, ListsEveryKnobWithItsDefaultAndRange) {
     EXPECT_THAT(text,
                 HasSubstr("| `" + std::string(row.name) + "` | " + row.text(defaults.*row.member) +
                           " | " + row.range() + " | " + row.meaning + " |"));
+}
+
+/// What a page says where the pattern matches, "ten", "the eighth", "6,024"; -1 if it does not.
+int number_in(const std::string& text, const std::string& pattern) {
+  static const std::map<std::string, int> words = {
+      {"two", 2}, {"four", 4}, {"eighth", 8}, {"ten", 10}};
+  const auto found = TextPattern(pattern).all(text);
+  if (found.empty()) return -1;
+  std::string word = found.front()[1];
+  if (const auto at = words.find(word); at != words.end()) return at->second;
+  word.erase(std::remove(word.begin(), word.end(), ','), word.end());
+  const std::vector<int> all = numbers(word);
+  return all.empty() ? -1 : all.front();
+}
+
+TEST(Docs, ANumberThatIsNotThereIsSeen) {
+  EXPECT_EQ(number_in("a stack of ten", "stack of (\\w+)"), 10);
+  EXPECT_EQ(number_in("6,024 cells", "([\\d,]+) cells"), 6024);
+  EXPECT_EQ(number_in("a stack of stones", "stack of (\\w+)"), -1);
+  EXPECT_EQ(number_in("a heap of ten", "stack of (\\w+)"), -1);
+}
+
+TEST(Docs, TheReadmesSizesOfTheChipAreItsKnobs) {
+  const std::string text = page("README.md");
+  const knobs k;
+  EXPECT_EQ(number_in(text, "wants a pixel every\\s+(\\w+)\\s+clocks"), k.clocks_per_pixel);
+  EXPECT_EQ(number_in(text, "waits on a stack of\\s+(\\w+)"), k.interval_stack_depth);
+  EXPECT_EQ(number_in(text, "A stack of\\s+(\\w+)\\s+overflows"), k.interval_stack_depth);
+  EXPECT_EQ(number_in(text, "a queue of\\s+(\\w+)"), k.fifo_entries);
+  EXPECT_EQ(number_in(text, "behind the\\s+(\\w+)\\s+everything is a wall"), k.max_room_depth);
+}
+
+// docs/chip.md has what yosys counts, and scripts/area --check compares it.
+TEST(Docs, FlipFlopsAndCellsAreTheSameOnAllPages) {
+  const std::string chip = page("docs/chip.md"), claims = page("docs/claims.md"),
+                    contract = page("docs/contract.md");
+  const int original = number_in(chip, "the taped-out chip has (\\d+) flip-flops");
+  EXPECT_GT(original, 0);
+  EXPECT_EQ(number_in(page("README.md"), "no frame buffer and\\s+(\\d+)\\s+flip-flops"), original);
+  EXPECT_EQ(number_in(contract, "The original has (\\d+) in all"), original);
+  EXPECT_EQ(number_in(claims, "standard cells, (\\d+) of them flip-flops"), original);
+  EXPECT_EQ(number_in(claims, "The design has ([\\d,]+) standard cells"),
+            number_in(chip, "its cells, ([\\d,]+), are counted"));
+
+  int flip_flops = 0, cells = 0;
+  for (const auto& row : table_rows("\n" + chip, "# The chip"))
+    if (row.size() == 4 && row[0][0] == '[' && !numbers(row[2]).empty()) {
+      flip_flops += numbers(row[2]).at(0);
+      cells += numbers(row[3]).at(0);
+    }
+  const std::string all = "\\*\\*all\\*\\*[^\n]* \\| (\\d+) \\| ",
+                    sound = "\\[pwm_sound\\][^\n]* \\| (\\d+) \\| ";
+  EXPECT_EQ(number_in(chip, all), flip_flops);
+  EXPECT_EQ(number_in(contract, "The original has \\d+ in all, ours (\\d+)"), flip_flops);
+  EXPECT_EQ(number_in(claims, "flip-flops without sound \\|[^\n]*\\| ([\\d,]+) \\| holds"),
+            flip_flops - number_in(chip, sound));
+  EXPECT_EQ(number_in(claims, "generic cells without sound \\|[^\n]*\\| ([\\d,]+) \\| holds"),
+            cells - number_in(chip, "\\[pwm_sound\\][^\n]* \\| (\\d+) \\|\n"));
 }
 
 }  // namespace
