@@ -40,7 +40,8 @@ void BeamWaits::clock() {
   line_end_.see(chip_.line_end.read());
   reset_.see(!chip_.run.read());
   // Not where camera_unit begins its walk anew in each clock.
-  stepping_in_reset_.see(!chip_.run.read() && chip_.step.read() && !chip_.idx_load.read());
+  if (!chip_.line_end.read())
+    stepping_in_reset_.see(!chip_.run.read() && chip_.step.read() && !chip_.idx_load.read());
   // What the tracer did last in its line stays to be told.
   if (chip_.tracer_reset.read()) {
     run_ = climbed_ = descended_ = false;
@@ -55,7 +56,9 @@ void BeamWaits::look_at_tracer() {
   // As the FIFO sees it: a channel that stalls is no offer.
   const bool refused = chip_.u_interval_fifo->emit_i->read() && !chip_.ack.read();
   offer_.see(refused);
-  refused_.see(refused && static_cast<int>(chip_.fill.read()) < knobs_.fifo_entries);
+  // It does not listen while the beam eats of it.
+  if (!chip_.consume.read())
+    refused_.see(refused && static_cast<int>(chip_.fill.read()) < knobs_.fifo_entries);
   second_.see(chip_.second.read());
   const bool climb = chip_.u_decision_datapath->climb_i->read();
   climb_.see(climb);

@@ -28,9 +28,10 @@ HangWatch::HangWatch(const wired_chip& chip, const knob_values& k, const WaitKin
       period_(period),
       limit_(clocks_of(kind.lines * (stalled ? Slower : 1), line_clocks)),
       rare_limit_(clocks_of(kind.rare_lines * (stalled ? Slower : 1), line_clocks)),
-      watched_for_(clocks_of(WatchedLines, line_clocks)) {
+      watched_for_(clocks_of(WatchedLines, line_clocks)),
+      steady_(!stalled && kind.steady(k)) {
   note(kind.progress, last_);
-  if (kind.rare) note({kind.rare}, last_rare_);
+  if (!kind.rare.empty()) note(kind.rare, last_rare_);
 }
 
 // The time of the last rising edge of one of the chip's wires.
@@ -44,7 +45,7 @@ void HangWatch::note(const std::vector<const char*>& wires, sc_core::sc_time& la
     process.set_sensitivity(&found->posedge_event());
   }
   sc_core::sc_spawn([&last] { last = sc_core::sc_time_stamp(); },
-                    (std::string("progress_") + wires.front()).c_str(), &process);
+                    sc_core::sc_gen_unique_name("progress"), &process);
 }
 
 std::uint64_t HangWatch::since(const sc_core::sc_time& time) const {
@@ -55,7 +56,7 @@ std::uint64_t HangWatch::clocks() const { return since(last_); }
 
 bool HangWatch::hangs(bool idle) {
   if (idle) last_ = last_rare_ = sc_core::sc_time_stamp();
-  if (!stands() && !(kind_.rare && since(last_rare_) >= rare_limit_)) {
+  if (!stands() && !(!kind_.rare.empty() && since(last_rare_) >= rare_limit_)) {
     looking_ = false;
     return false;
   }
@@ -66,7 +67,8 @@ bool HangWatch::hangs(bool idle) {
     look();
     return false;
   }
-  return since(looking_since_) >= watched_for_ && (stands() || waits_->chain().back().sure);
+  return since(looking_since_) >= watched_for_ &&
+         ((stands() && steady_) || waits_->chain().back().sure);
 }
 
 // At the edge that ends a clock the wires still have its settled values.

@@ -49,6 +49,7 @@ class HangWatch {
   sc_core::sc_time last_, last_rare_;
   std::unique_ptr<WaitWatch> waits_;  // while it is watched
   sc_core::sc_time looking_since_;
+  const bool steady_;
   bool looking_ = false, spawned_ = false;
 };
 

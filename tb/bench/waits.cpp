@@ -15,30 +15,50 @@
 
 namespace racebeam {
 
+namespace {
+
+bool always(const knob_values&) { return true; }
+
+/// With one clock a pixel the FIFO, which cannot both shrink and listen, takes nothing once the
+/// beam starves.
+bool takes_time_to_listen(const knob_values& k) { return k.of("clocks_per_pixel") > 1; }
+
+}  // namespace
+
 const WaitKind& waits_of(const engine& built) {
   // Lines of a raster of 525.
   static const std::vector<WaitKind> table = {
-      {beam_engine(), {"ack"}, "an interval was taken", 2, "line_done", 50, make_beam_waits},
+      {beam_engine(),
+       {"ack", "lock"},
+       "an interval was taken",
+       100,
+       {"line_done", "lock"},
+       50,
+       takes_time_to_listen,
+       make_beam_waits},
       {sphere_engine(),
        {"word_valid", "table_write", "take_valid"},
        "a word was offered",
        525,
-       nullptr,
+       {},
        0,
+       always,
        make_sphere_waits},
       {block_engine(),
        {"bus_valid", "write", "take_valid"},
        "a word was offered",
        525,
-       nullptr,
+       {},
        0,
+       always,
        make_block_waits},
       {voxel_engine(),
        {"put_valid", "occupancy_write", "take_valid"},
        "a word was offered",
        525,
-       nullptr,
+       {},
        0,
+       always,
        make_voxel_waits},
   };
   for (const WaitKind& kind : table)

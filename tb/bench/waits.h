@@ -46,9 +46,12 @@ struct WaitKind {
   const racebeam::engine& engine;
   std::vector<const char*> progress;  ///< wires of the chip: their rising edges are progress
   const char* what;                   ///< "an interval was taken"
-  int lines;                          ///< longer than that it never goes without, in scan lines
-  const char* rare;  ///< a wire whose rising edges come to a chip in good time; or nullptr
-  int rare_lines;    ///< after so many without, a wait that is sure is a fault
+  int lines;                          ///< so many scan lines without are too many
+  std::vector<const char*> rare;      ///< wires whose rising edges come to a chip in good time
+  int rare_lines;                     ///< after so many without, a wait that is sure is a fault
+  /// Whether progress comes in that time to every chip with these knobs; if not, and where
+  /// channels stall, only a wait that is sure is a fault.
+  bool (*steady)(const knob_values& k);
   std::unique_ptr<WaitWatch> (*make)(const wired_chip& chip, const knob_values& k);
 };
 

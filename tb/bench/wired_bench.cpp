@@ -181,7 +181,8 @@ void WiredBench::Platform::check_hang() const {
   const std::string seen =
       hang->stands()
           ? fmt::format("the last time that {} was {}", hang->kind().what, last_progress())
-          : fmt::format("{} has not risen for {} clocks", hang->kind().rare, hang->rare_clocks());
+          : fmt::format("{} has not risen for {} clocks", hang->kind().rare.front(),
+                        hang->rare_clocks());
   throw RtlFault("the chip makes no progress: " + seen + "\n" + hang->chain());
 }
 
