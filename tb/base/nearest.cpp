@@ -46,9 +46,14 @@ std::string nearest(const std::string& name, const std::vector<std::string>& kno
   std::string best = completed(name, known);
   if (!best.empty()) return best;
   std::size_t best_distance = name.size() / 2 + 1;  // more than that is a different word
+  const auto is_too_far = [&](std::size_t distance) {
+    return distance > best_distance || (distance == best_distance && !best.empty());
+  };
   for (const std::string& candidate : known) {
+    const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
+    if (is_too_far(longer - shorter)) continue;  // so many letters are to be inserted
     const std::size_t distance = edit_distance(name, candidate);
-    if (distance > best_distance || (distance == best_distance && !best.empty())) continue;
+    if (is_too_far(distance)) continue;
     best = candidate;
     best_distance = distance;
   }
