@@ -5,61 +5,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <set>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "sc/beam/knobs.h"
-#include "tb/base/console.h"
-#include "tb/scene/engines.h"
 #include "tb/sweep/sweep_points.h"
 #include "tb/sweep/sweep_reader.h"
-
-// What set_knob would say on stderr.
-void racebeam::tell(std::string_view) {}
-
-// It names those of other engines: there are none.
-namespace {
-
-/// The interval tracer without its chip.
-const racebeam::engine& knobs_only() {
-  using namespace racebeam;
-  static const std::vector<unit_row> no_units;
-  static const engine row = {"beam",
-                             "",
-                             {"tlm"},
-                             "",
-                             true,
-                             no_units,
-                             knob_rows(),
-                             {},
-                             {},
-                             {},
-                             {},
-                             [](const scene_tables*) { return knob_values(knobs()); },
-                             [](knob_values& values) {
-                               knobs k = values;
-                               k.max_room_depth = k.room_depth_limit();
-                               values = k;
-                               return std::string();
-                             },
-                             nullptr,
-                             nullptr,
-                             nullptr,
-                             nullptr};
-  return row;
-}
-
-}  // namespace
-
-const std::vector<const racebeam::engine*>& racebeam::engines() {
-  static const std::vector<const engine*> table = {&knobs_only()};
-  return table;
-}
-
-const racebeam::engine& racebeam::engine_of(const knob_values&) { return knobs_only(); }
+#include "tests/fuzz/stand_in_engines.h"
 
 namespace {
 
@@ -72,16 +24,11 @@ racebeam::SweepNames names() {
           [](const std::string& name) { return name == "demo" || name == "house"; }};
 }
 
-void check(bool good) {
-  if (!good) std::abort();
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace racebeam;
-  const SweepResult result =
-      read_sweep(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz", names());
+  const SweepResult result = read_sweep(text_of(data, size), "fuzz", names());
   (void)result.faults.text("fuzz");
   (void)result.faults.warnings("fuzz");
   const SweepFile& file = result.file;

@@ -13,9 +13,7 @@
 #include "sc/sphere/engine.h"
 #include "sc/voxel/engine.h"
 #include "sc/voxel/voxel_world.h"
-#include "tb/picture/grey_picture.h"
 #include "tb/scene/voxel_scene.h"
-#include "tb/scene/voxel_terrain.h"
 
 // Nobody asks for them.
 const racebeam::engine& racebeam::beam_engine() { std::abort(); }
@@ -25,38 +23,6 @@ const racebeam::engine& racebeam::voxel_engine() { std::abort(); }
 namespace {
 
 using namespace racebeam;
-
-/// The ground itself takes its time, and no text.
-std::vector<std::uint32_t> ground(const vec3& size) {
-  return std::vector<std::uint32_t>(
-      static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]),
-      packed({4, 8, 9, 1, 2}));
-}
-
-}  // namespace
-
-std::vector<std::uint32_t> racebeam::tiny_terrain(const vec3& size) { return ground(size); }
-std::vector<std::uint32_t> racebeam::hills_terrain(const vec3& size, const HillsTerrain&) {
-  return ground(size);
-}
-std::vector<std::uint32_t> racebeam::canyon_terrain(const vec3& size, const CanyonTerrain&) {
-  return ground(size);
-}
-std::vector<std::uint32_t> racebeam::picture_terrain(const vec3& size,
-                                                     const PictureTerrain& pictures) {
-  for (const GreyPicture* each : {pictures.low, pictures.middle, pictures.high, pictures.materials})
-    if (each && (each->width != size[0] || each->height != size[1])) std::abort();
-  return ground(size);
-}
-
-/// Every other name is one of a picture.
-std::string racebeam::read_grey_picture(const std::string& path, GreyPicture& to) {
-  if (path.size() % 2) return "there is none";
-  to = {16, 16, 8, std::vector<std::uint16_t>(256)};
-  return "";
-}
-
-namespace {
 
 void check(bool good) {
   if (!good) std::abort();

@@ -1,0 +1,2 @@
+-f list.f
+none
