@@ -30,7 +30,8 @@ std::vector<FunctionalCross> fifo_rows() {
        {axis_of_flag("ack", "ack_o == 1"), axis_of_flag("starving", "starving_o == 1"), fill,
         axis_of_flag("consume", "consume_i == 1")},
        {{{"*", "yes", "full|some", "*"}, "a beam that starves has the head alone"},
-        {{"yes", "*", "head_only", "yes"}, "the head that is eaten takes nothing"}}},
+        {{"yes", "*", "head_only", "yes"}, "the head that is eaten takes nothing"},
+        {{"no", "yes", "head_only", "no"}, "a beam that starves takes what is offered"}}},
       {"interval_fifo",
        "length",
        "",
@@ -83,7 +84,7 @@ std::vector<FunctionalCross> show_rows() {
     part.bins.push_back(
         {std::to_string(n),
          "bit(frame_o, 13) * 4 + bit(frame_o, 12) * 2 + bit(frame_o, 11) == " + std::to_string(n)});
-  const FunctionalAxis source = axis_of_values("source", "src_i", {"yaw", "pitch", "focal", "3"});
+  const FunctionalAxis source = axis_of_values("source", "src_i", {"yaw", "pitch", "focal"});
   return {
       {"sequencer",
        "angle",

@@ -48,24 +48,13 @@ std::vector<FunctionalCross> sphere_rows() {
 }
 
 std::vector<FunctionalCross> block_rows() {
-  const auto four = [](const std::string& name, const std::string& port) {
-    return FunctionalAxis{
-        name,
-        {{"none", port + " == 0"},
-         {"one", port + " == 1 || " + port + " == 2 || " + port + " == 4 || " + port + " == 8"},
-         {"several", ""}}};
-  };
-  const std::string low =
-      "(bit(word_valid_i, 0) + 2 * bit(word_valid_i, 1) + 4 * "
-      "bit(word_valid_i, 2) + 8 * bit(word_valid_i, 3))";
   return {
       {"block_bus",
        "handshake",
        "rst_ni == 1",
-       {four("valid", low), flag("ready", "bus_ready_i"), flag("waits", "bus_valid_o"),
-        axis_of_flag("turn_over", "later_q == 0")},
-       {{{"none", "*", "yes", "*"}, "no core has a word"},
-        {{"one|several", "*", "no", "*"}, "the word of a core is offered at once"}}},
+       {flag("valid", "bus_valid_o"), flag("ready", "bus_ready_i"),
+        axis_of_flag("turn_over", "later_q == 0"), axis_of_flag("first_core", "core_o == 0")},
+       {}},
       {"block_scheduler",
        "dealing",
        "rst_ni == 1",
@@ -86,7 +75,7 @@ std::vector<FunctionalCross> voxel_rows() {
        {axis_of_values("state", "state_o", {"idle", "ray", "shadow", "shade"}),
         flag("start", "start_i"), flag("ray_done", "ray_done_i"), flag("done", "done_i"),
         flag("ready", "put_ready_i"), axis_of_values("kind", "kind_i", {"0", "1", "2", "3"})},
-       {}},
+       {{{"shadow", "*", "*", "*", "*", "*"}, "only a chip with shadows has this state", false}}},
       {"voxel_builder",
        "state",
        "rst_ni == 1",

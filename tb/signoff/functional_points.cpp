@@ -150,7 +150,7 @@ CrossVerdict judge_cross(const FunctionalCross& cross, const std::vector<std::ui
   for (std::size_t n = 0; n < counts.size(); ++n) {
     const ImpossibleCross* const reason = cross.impossible_at(n);
     const std::string name = cross.unit + " " + cross.name + ": " + cross.point_name(n);
-    if (reason && counts[n] > 0)
+    if (reason && reason->never && counts[n] > 0)
       verdict.faults.push_back(name + " was seen, and is said to be impossible: " + reason->reason);
     if (reason) continue;
     ++verdict.possible;

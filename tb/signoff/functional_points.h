@@ -34,6 +34,8 @@ struct FunctionalAxis {
 struct ImpossibleCross {
   std::vector<std::string> bins;  ///< for each axis "left|right", or "*"
   std::string reason;
+  /// False: it need not be seen, but it may, with other knobs or with traffic that no chip makes.
+  bool never = true;
 };
 
 struct FunctionalCross {

@@ -49,7 +49,7 @@ UnitDrive::UnitDrive(const UnitUnderTest& dut, const std::string& plugin, Stimul
 void UnitDrive::run(std::uint64_t clocks, const std::function<void()>& each) {
   for (std::uint64_t clock = 0; clock < clocks && !lockstep_.fault(); ++clock) {
     if (clock % Look == 0 && interrupted()) throw Interrupted();
-    next_();
+    if (lockstep_.clocks() > 0) next_();  // the first clock is in reset
     bench_.settle();
     if (each) each();
     bench_.clock();

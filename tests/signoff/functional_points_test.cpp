@@ -51,6 +51,13 @@ TEST(FunctionalCross, TheImpossibleSeenIsAFault) {
               ElementsAre(HasSubstr("emit=yes fill=more was seen")));
 }
 
+TEST(FunctionalCross, WhatNeedNotBeSeenMayBe) {
+  FunctionalCross cross = fifo_cross();
+  cross.impossible.front().never = false;
+  EXPECT_TRUE(judge_cross(cross, {3, 1, 1, 5}).faults.empty());
+  EXPECT_EQ(judge_cross(cross, {3, 0, 1, 5}).possible, 3u);
+}
+
 class FunctionalCounter : public testing::Test {
  protected:
   const engine& built_ = *engines().front();
