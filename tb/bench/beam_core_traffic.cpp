@@ -54,10 +54,10 @@ std::size_t BeamCoreTraffic::port(const char* name) const {
   throw std::out_of_range(head_.unit + " has no port " + name);
 }
 
-void BeamCoreTraffic::clock(bool rst_n, std::vector<std::uint64_t>& values) {
+void BeamCoreTraffic::clock(bool rst_n, std::uint64_t* row) {
   clock_wires(core_, rst_n, knobs_, wires_);
   for (const auto& [wire, bits] : ports_)
-    values.push_back(static_cast<std::uint64_t>(static_cast<std::int64_t>(*wire)) & bits);
+    *row++ = static_cast<std::uint64_t>(static_cast<std::int64_t>(*wire)) & bits;
 }
 
 // What rtl_instance::seek() and place() do to RTL, as private clocks.
@@ -100,7 +100,9 @@ bool BeamCoreTraffic::next(TrafficBlock& block) {
     block.is_private = false;
   }
   const std::uint64_t some = done_ == 0 ? 1 : std::min(BlockClocks, clocks_ - done_);
-  for (std::uint64_t n = 0; n < some; ++n) clock(done_ > 0, block.values);
+  block.values.resize(some * ports_.size());
+  for (std::uint64_t n = 0; n < some; ++n)
+    clock(done_ > 0, block.values.data() + n * ports_.size());
   done_ += some;
   if (done_ == 1) last_ = block.values;
   return some > 0;

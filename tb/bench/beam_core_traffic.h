@@ -30,7 +30,7 @@ class BeamCoreTraffic : public TrafficSource {
  private:
   void seek(TrafficBlock& block);
   std::size_t port(const char* name) const;
-  void clock(bool rst_n, std::vector<std::uint64_t>& values);
+  void clock(bool rst_n, std::uint64_t* row);
 
   const TrafficHead head_;
   const knobs knobs_;

@@ -72,6 +72,15 @@ TEST_F(PortTrafficOfTheFifo, AnotherValueIsFoundAtItsClockAndPort) {
   EXPECT_EQ(found->got, value ^ 4);
 }
 
+TEST_F(PortTrafficOfTheFifo, OptionalPortsThatTheRtlLacksAreLeftOut) {
+  PortTraffic::Port& half = traffic_.ports[port("display_half_o")];
+  EXPECT_TRUE(half.optional);
+  half.name = "no_such_port_o";
+  EXPECT_FALSE(rtl().run(traffic_, 0, Clocks));
+  half.optional = false;
+  EXPECT_THROW(rtl(), RtlError);
+}
+
 TEST_F(PortTrafficOfTheFifo, PortsThatDoNotFitAreRefused) {
   ++traffic_.ports.front().bits;
   EXPECT_THROW(rtl(), RtlError);
