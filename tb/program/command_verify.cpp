@@ -19,6 +19,7 @@
 #include "tb/bench/surroundings.h"
 #include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
+#include "tb/program/verify_power_up.h"
 #include "tb/program/verify_replay.h"
 #include "tb/program/verify_report.h"
 #include "tb/program/verify_stream.h"
@@ -70,9 +71,11 @@ std::string repeat_text(const VerifyOptions& options, const std::string& unit,
 }
 std::string repeat_text(const VerifyOptions& options, const std::string& unit, long long frames,
                         long long random) {
+  const std::string starts =
+      options.power_up > 0 ? fmt::format(" --power-up {}", options.power_up) : "";
   return repeat_text(options, unit,
-                     fmt::format(" --frames {} --random {} --seed {}{}", frames, random,
-                                 options.seed, options.text()));
+                     fmt::format(" --frames {} --random {} --seed {}{}{}", frames, random,
+                                 options.seed, starts, options.text()));
 }
 
 /// The first clock of a frame or picture, as `trace --from` takes it.
@@ -200,6 +203,16 @@ std::vector<UnitVerdict> verify_on_stream(const VerifyOptions& options, const Sh
   })};
 }
 
+/// A unit from many power-ups.
+UnitVerdict verify_starts(const VerifyOptions& options, const UnitUnderTest& dut) {
+  PowerUpOptions wanted;
+  wanted.seeds = static_cast<int>(options.power_up);
+  wanted.traffic = static_cast<unsigned>(options.seed);
+  return in_a_process(dut.unit, "power-up", [&] {
+    return verify_power_up(dut, wanted, repeat_text(options, dut.unit, 0, 0));
+  });
+}
+
 /// Each unit by itself: the walk of one that has a walk, and random traffic.
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knob_values& k, const unit_choices& choices) {
@@ -227,10 +240,13 @@ std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Sh
     if (unit == show.engine().top) continue;  // the whole chip has its own traffic only
     const UnitUnderTest dut{unit, choice.plugin, k, show.tables(), show.frames()};
     try {
-      if (const std::uint64_t clocks = walk_clocks(unit); clocks > 0 && !interrupted())
+      if (const std::uint64_t clocks = walk_clocks(unit);
+          clocks > 0 && options.random > 0 && !interrupted())
         verify(dut, Stimulus::Walk, clocks);
       if (interrupted()) break;
-      verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
+      if (options.random > 0)
+        verify(dut, Stimulus::Random, static_cast<std::uint64_t>(options.random));
+      if (options.power_up > 0 && !interrupted()) verdicts.push_back(verify_starts(options, dut));
     } catch (const Interrupted&) {
       break;
     }
@@ -249,7 +265,7 @@ Run plan_verify(const VerifyOptions& options) {
           "{}'",
           options.stream, unit, unit, options.stream));
   }
-  if (options.frames == 0 && options.random == 0)
+  if (options.frames == 0 && options.random == 0 && options.power_up == 0)
     throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
   Run run = open_run(options, true);
   const long long frames = frames_of(options, run.show);
@@ -267,7 +283,7 @@ Run plan_verify(const VerifyOptions& options) {
 int command_verify(const VerifyOptions& options) {
   if (!options.replay.empty()) return verify_replay(options);
   auto [show, level, k, choices] = plan_verify(options);
-  const UseOption use(show.engine(), k, show.tables());
+  const UseOption use(show.engine(), k, show.tables(), options.power_up > 0);
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
   leave_out_whole_chip(show.engine(), options, options.units, choices);
@@ -275,7 +291,8 @@ int command_verify(const VerifyOptions& options) {
   std::vector<UnitVerdict> verdicts;
   const bool streams = !options.stream.empty();
   if (streams) verdicts = verify_on_stream(options, show, k, choices);
-  else if (options.random > 0) verdicts = verify_at_random(options, show, k, choices);
+  else if (options.random > 0 || options.power_up > 0)
+    verdicts = verify_at_random(options, show, k, choices);
   for (const UnitVerdict& verdict : verdicts)
     if (!verdict.fault.empty()) choices.by_unit.erase(verdict.unit);
   if (!streams && frames_of(options, show) > 0 && !interrupted() && !choices.by_unit.empty())
@@ -289,6 +306,7 @@ namespace {
 
 constexpr long long MostRandomClocks = 1'000'000'000'000;
 constexpr long long LargestSeed = 0xffffffff;
+constexpr long long MostPowerUps = 1'000'000;
 
 void add_options(const CommandOptions& command, VerifyOptions& options) {
   command
@@ -307,6 +325,11 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
       add_number(command, "--random", options.random, "Clocks of random traffic for each unit",
                  is_number_in("--random", 0, MostRandomClocks))
           .capture_default_str();
+  add_number(
+      command, "--power-up", options.power_up,
+      "Random values of the registers at power-up, for each unit: what shows after the reset",
+      is_number_in("--power-up", 0, MostPowerUps))
+      .capture_default_str();
   add_run_options(command, options);
   add_shake_options(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",

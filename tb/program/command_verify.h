@@ -27,6 +27,7 @@ struct VerifyOptions : RunOptions, ShakeOptions {
   std::string stream;                      ///< file that is all that is played; empty: none
   bool no_shrink = false;                  ///< differences alone stay as they were found
   std::string replay;                      ///< a file of traffic, instead of frames and random
+  long long power_up = 0;                  ///< random values of each unit's registers at power-up
   bool watch = false;                      ///< for verify_watch()
   bool json = false;
 };

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* Row = "{:<18} {:<7} {:>12} {:>7} {:>10} {:>11}\n";
+constexpr const char* Row = "{:<18} {:<8} {:>12} {:>7} {:>10} {:>11}\n";
 
 Json to_json(const ShrunkDifference& d) {
   return {{"clocks", d.clocks}, {"moving", d.moving}, {"expected", d.expected}, {"got", d.got},

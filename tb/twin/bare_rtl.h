@@ -33,6 +33,8 @@ class BareRtl {
   /// The value of an input that the traffic does not have, such as the number of a mutant. Throws
   /// RtlError if there is no such input.
   void hold(const std::string& input, std::uint64_t value);
+  /// Ports, and the signals inside of RTL that was built with them.
+  const rtl_model& model() const { return library_.model(); }
   /// Goes on through the clocks `from` (included) to `to` (excluded) of traffic with the same
   /// ports, up to the first output that is not as recorded; the outputs of its first
   /// clock ever are not compared. Throws RtlFault.
