@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/four_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "sc/swap/rtl_library.h"
+#include "tb/base/errors.h"
+#include "tb/base/project_folder.h"
+#include "tb/base/text_pattern.h"
+#include "tb/verilate/cache_folder.h"
+#include "tb/verilate/run_tool.h"
+
+namespace racebeam {
+
+namespace {
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string run_or_throw(const WorkFolder& work, const std::vector<std::string>& words,
+                         const std::string& what) {
+  const ToolResult result = run_tool({words, work.path(), {}, {}});
+  if (!result.good) throw RtlError(what + ":\n" + result.said);
+  return result.said;
+}
+
+/// "Name=value" as scripts/netlist takes it.
+std::vector<std::string> settings_of(const rtl_model& model) {
+  std::vector<std::string> settings;
+  std::istringstream words(model.parameters);
+  for (std::string word; words >> word;) {
+    word.erase(std::remove(word.begin(), word.end(), '"'), word.end());
+    if (word.back() != '=') settings.push_back(word);
+  }
+  return settings;
+}
+
+void make_netlist(const WorkFolder& work, const rtl_model& model) {
+  const std::string place = rtl_place(model);
+  std::vector<std::string> words = {
+      project_folder() + "/scripts/netlist",
+      std::string(model.unit) + "=" + place.substr(0, place.rfind(':')), work.file("netlist.v")};
+  for (const std::string& setting : settings_of(model)) words.push_back(setting);
+  run_or_throw(work, words, "yosys makes no netlist of " + std::string(model.unit));
+}
+
+/// The declared registers and memories of the netlist by the names of the source: "tags_q".
+struct NetRegister {
+  std::string declared, stem;
+  int elements;  ///< of a memory; 0: none
+};
+std::vector<NetRegister> registers_of(const std::string& netlist) {
+  static const TextPattern Declared(
+      "^ *reg (\\[[0-9:]*\\] )?(\\\\?[^ ;]+) ?(\\[([0-9]+):([0-9]+)\\])?( *=.*)?;");
+  std::vector<NetRegister> all;
+  std::istringstream lines(netlist);
+  for (std::string line; std::getline(lines, line);) {
+    const TextPattern::Groups found = Declared.search(line);
+    if (found.empty()) continue;
+    std::string stem = found[2];
+    if (stem[0] == '\\') stem.erase(0, 1);
+    int elements = 0;
+    if (!found[4].empty()) elements = 1 + std::max(std::stoi(found[4]), std::stoi(found[5]));
+    all.push_back({found[2], stem.substr(0, stem.find('[')), elements});
+  }
+  return all;
+}
+
+/// The inputs of a clock as one binary number, the first input in the upper bits.
+std::string row_bits(const PortTraffic& traffic, std::uint64_t clock) {
+  std::string bits;
+  for (std::size_t n = 0; n < traffic.ports.size(); ++n) {
+    if (!traffic.ports[n].input) continue;
+    for (int bit = traffic.ports[n].bits - 1; bit >= 0; --bit)
+      bits += (traffic.row(clock)[n] >> bit & 1) != 0 ? '1' : '0';
+  }
+  return bits.empty() ? "0" : bits;
+}
+
+std::string bench_text(const PortTraffic& traffic, const std::vector<NetRegister>& registers,
+                       const std::vector<std::string>& known, bool has_clock) {
+  std::string declared, pins, inputs, looks, zeros;
+  int bits = 0;
+  if (has_clock) pins = ".clk_i(clk)";
+  for (const PortTraffic::Port& port : traffic.ports) {
+    declared +=
+        fmt::format("  {} [{}:0] {};\n", port.input ? "reg" : "wire", port.bits - 1, port.name);
+    pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", port.name, port.name);
+    if (port.input) {
+      inputs += (inputs.empty() ? "" : ", ") + port.name;
+      bits += port.bits;
+    } else {
+      declared += "  reg seen_" + port.name + " = 0;\n";
+      looks += fmt::format(
+          "      if (n > 0 && !seen_{0} && ^{0} === 1'bx) begin\n"
+          "        $display(\"unknown {0} %0d\", n); seen_{0} = 1;\n      end\n",
+          port.name);
+    }
+  }
+  for (const NetRegister& one : registers)
+    if (std::find(known.begin(), known.end(), one.stem) != known.end()) {
+      const std::string name = "dut." + one.declared + " ";
+      if (one.elements == 0) zeros += "    " + name + "= 0;\n";
+      for (int n = 0; n < one.elements; ++n) zeros += fmt::format("    {}[{}] = 0;\n", name, n);
+    }
+  return fmt::format(
+      "module bench;\n  reg clk = 0;\n{0}  reg [{1}:0] stimulus [0:{2}];\n  integer n;\n"
+      "  {3} dut ({4});\n  initial begin\n    $readmemb(\"stimulus\", stimulus);\n{5}"
+      "    for (n = 0; n <= {2}; n = n + 1) begin\n      {{{6}}} = stimulus[n]; #1;\n"
+      "      if (n == 1) begin\n        $dumpfile(\"reset.vcd\"); $dumpvars(0, dut); #1;"
+      " $dumpoff;\n      end\n{7}      clk = 1; #1; clk = 0; #1;\n    end\n    $finish;\n  end\n"
+      "endmodule\n",
+      declared, std::max(bits - 1, 0), traffic.clocks() - 1, traffic.unit, pins, zeros, inputs,
+      looks);
+}
+
+/// The stems of registers that have an x among their first values.
+std::vector<std::string> unknown_registers(const std::string& vcd,
+                                           const std::vector<NetRegister>& registers) {
+  static const TextPattern Variable("^\\$var +reg +[0-9]+ +([^ ]+) +([^ ]+)");
+  std::set<std::string> stems, found;
+  for (const NetRegister& one : registers) stems.insert(one.stem);
+  std::vector<std::pair<std::string, std::string>> named;  // code, stem
+  std::istringstream lines(vcd);
+  bool first = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (const TextPattern::Groups var = Variable.search(line); !var.empty()) {
+      std::string stem = var[2];
+      if (stem[0] == '\\') stem.erase(0, 1);
+      stem = stem.substr(0, stem.find('['));
+      if (stems.count(stem) != 0) named.emplace_back(var[1], stem);
+    }
+    if (line.rfind("$dumpvars", 0) == 0) first = true;
+    if (line.rfind("$end", 0) == 0) first = false;
+    if (!first || line.find('x') == std::string::npos) continue;
+    const auto space = line.find(' ');
+    const bool unknown = space == std::string::npos
+                             ? line[0] == 'x'
+                             : line.substr(0, space).find('x') != std::string::npos;
+    const std::string code = space == std::string::npos ? line.substr(1) : line.substr(space + 1);
+    for (const auto& [its, stem] : named)
+      if (unknown && its == code) found.insert(stem);
+  }
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
+
+FourStateFindings run_in_four_states(const std::string& plugin, const PortTraffic& traffic,
+                                     const std::vector<std::string>& known) {
+  for (const char* tool : {"yosys", "iverilog"})
+    if (!has_tool(tool))
+      throw MissingTool(std::string(tool) + " is not installed; install the package `" + tool +
+                        "`");
+  const rtl_library rtl(plugin);
+  const WorkFolder work;
+  make_netlist(work, rtl.model());
+  const auto registers = registers_of(read_text(work.file("netlist.v")));
+  work.write("bench.v", bench_text(traffic, registers, known, has_rtl_port(rtl.model(), "clk_i")));
+  std::string rows;
+  for (std::uint64_t clock = 0; clock < traffic.clocks(); ++clock)
+    rows += row_bits(traffic, clock) + "\n";
+  work.write("stimulus", rows);
+  run_or_throw(work, {"iverilog", "-g2005", "-o", "bench", "bench.v", "netlist.v"},
+               "Icarus does not compile the netlist of " + traffic.unit);
+  const std::string said = run_or_throw(work, {"vvp", "-n", "bench"},
+                                        "Icarus does not run the netlist of " + traffic.unit);
+  FourStateFindings findings;
+  std::istringstream words(said);
+  for (std::string word; words >> word;) {
+    if (word != "unknown") continue;
+    FourStateFindings::Pin pin{};
+    words >> pin.port >> pin.clock;
+    findings.pins.push_back(pin);
+  }
+  findings.registers = unknown_registers(read_text(work.file("reset.vcd")), registers);
+  return findings;
+}
+
+}  // namespace racebeam
