@@ -60,7 +60,7 @@ TEST_P(CliGatesOfUnits, AreTheModel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SmallUnits, CliGatesOfUnits,
-                         testing::Combine(testing::Values("stacks", "write_buffer"),
+                         testing::Combine(testing::Values("stacks", "store_arbiter"),
                                           testing::Values("generic", "osu018")));
 
 TEST_F(CliGatesTest, ADrawnUnitInGatesDrawsTheModelsPicture) {
@@ -80,18 +80,18 @@ TEST_F(CliGatesTest, ADrawnUnitInGatesDrawsTheModelsPicture) {
 }
 
 TEST_F(CliGatesTest, TheBugOfAnExhibitIsInItsGatesToo) {
-  fs::copy_file(rtl_file("write_buffer"), folder / "mine.sv");
+  fs::copy_file(rtl_file("store_arbiter"), folder / "mine.sv");
   const std::string patch = "cd '" + folder.path() + "' && patch -s mine.sv '" + Project +
-                            "/tests/museum/60-full-for-ever.patch'";
+                            "/tests/museum/61-beam-has-to-wait.patch'";
   ASSERT_EQ(std::system(patch.c_str()), 0);
   const Words more = {"--engine", "sphere"};
-  Program rtl(folder.path(), verify("write_buffer=mine.sv", more));
+  Program rtl(folder.path(), verify("store_arbiter=mine.sv", more));
   EXPECT_EQ(rtl.wait(), 1) << rtl.err();
   const std::string found =
-      "write_buffer: port put_ready_o differs on random traffic (48 clocks compared)";
+      "store_arbiter: port take_ready_o differs on random traffic (142 clocks compared)";
   EXPECT_THAT(rtl.err(), HasSubstr(found));
   for (const char* gates : {"gates:mine.sv", "gates:osu018:mine.sv"}) {
-    Program run(folder.path(), verify(std::string("write_buffer=") + gates, more));
+    Program run(folder.path(), verify(std::string("store_arbiter=") + gates, more));
     EXPECT_EQ(run.wait(), 1) << run.err();
     EXPECT_THAT(run.err(), HasSubstr(found)) << gates;
   }
