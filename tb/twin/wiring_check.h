@@ -16,7 +16,8 @@ namespace racebeam {
 class WiringCheck {
  public:
   /// `top` simulates racebeam_top with visible signals; the children of `chip` are the units. Both
-  /// outlive the check. Throws RtlError if `top` lacks a port of a unit.
+  /// outlive the check. A flattened netlist has no port of a unit, and nothing is looked at. Throws
+  /// RtlError if `top` has some, but lacks one.
   WiringCheck(rtl_instance& top, const sc_core::sc_module& chip);
 
   /// Looks at the settled wires of a clock until something is found: a wire whose ends differ, or,
