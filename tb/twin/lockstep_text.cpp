@@ -11,6 +11,7 @@
 #include "tb/base/counted.h"
 #include "tb/base/reset_value.h"
 #include "tb/base/text_pattern.h"
+#include "tb/twin/lockstep_condition.h"
 
 namespace racebeam {
 
@@ -214,6 +215,7 @@ std::string difference_hints(const Difference& d) {
   std::vector<std::string> hints;
   const std::string course = course_text(d, outputs.at(static_cast<std::size_t>(d.output)));
   if (!course.empty()) hints.push_back(course);
+  if (const std::string only = difference_condition(d); !only.empty()) hints.push_back(only);
   add_end(hints, d, outputs);
   add_reset(hints, d);
   std::string text;

@@ -137,6 +137,20 @@ TEST(LockstepText, TellsAResetShortlyBeforeAndWhenItPasses) {
   EXPECT_THAT(made.hints(), Not(HasSubstr("it passes"))) << "another output differs later";
 }
 
+TEST(LockstepText, SaysWhatAPortHasInAllDifferencesIfChanceDoesNotExplainIt) {
+  Made made;
+  made.input = [](int n) { return (n * 7 / 4 + 2) & 3; };  // 2 in one of four
+  made.x_rtl = [&](int n) { return made.input(n) == 2 && n >= 0 ? 4 : 3; };
+  EXPECT_THAT(made.hints(), HasSubstr("hint: only while a_i is 2: so it is in all "));
+  made.x_rtl = [&](int n) { return made.input(n) == 2 && n >= 0 && n < 8 ? 4 : 3; };
+  EXPECT_THAT(made.hints(), Not(HasSubstr("only"))) << "a few prove nothing";
+  made.x_rtl = [&](int n) { return (made.input(n) == 2 || n == 31) && n >= 0 ? 4 : 3; };
+  ASSERT_NE(made.input(31), 2u);
+  EXPECT_THAT(made.hints(), Not(HasSubstr("only"))) << "one is otherwise";
+  made.input = [](int) { return 2; };
+  EXPECT_THAT(made.hints(), Not(HasSubstr("only"))) << "it has nothing else";
+}
+
 TEST(LockstepText, ColoursTheMarkedValuesAndNothingElse) {
   EXPECT_EQ(in_colour("x rtl 3 >4a  >5\nverify >out.txt --set a>b"),
             "x rtl 3 \x1b[1;31m>4a\x1b[0m  \x1b[1;31m>5\x1b[0m\nverify >out.txt --set a>b");
