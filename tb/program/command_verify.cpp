@@ -19,6 +19,7 @@
 #include "tb/bench/surroundings.h"
 #include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
+#include "tb/program/verify_bench.h"
 #include "tb/program/verify_power_up.h"
 #include "tb/program/verify_replay.h"
 #include "tb/program/verify_report.h"
@@ -213,6 +214,33 @@ UnitVerdict verify_starts(const VerifyOptions& options, const UnitUnderTest& dut
   });
 }
 
+/// The bench of what was played to the unit of the command line: of a stream, of a difference in
+/// few clocks, or of random traffic as far as it was compared.
+void write_bench(const VerifyOptions& options, const UnitUnderTest& dut,
+                 const std::vector<UnitVerdict>& verdicts) {
+  BenchTraffic traffic{options.stream,
+                       static_cast<std::uint64_t>(options.random),
+                       static_cast<unsigned>(options.seed),
+                       {}};
+  std::string rest = fmt::format(" --random {} --seed {}", options.random, options.seed);
+  for (const UnitVerdict& verdict : verdicts) {
+    if (!verdict.first || verdict.traffic == "stream") continue;
+    if (verdict.first->shrunk) traffic.stream = verdict.first->shrunk->stream;
+    else if (verdict.traffic == "random") traffic.clocks = verdict.first->clock + 1;
+    else continue;
+    break;
+  }
+  if (!traffic.stream.empty()) rest = " --stream " + traffic.stream;
+  else if (traffic.clocks > BenchTraffic::MostClocks)
+    tell(fmt::format("{}: the first {} clocks of {}", options.bench, BenchTraffic::MostClocks,
+                     traffic.clocks));
+  traffic.command = repeat_text(options, dut.unit, rest + " --bench-out " + options.bench);
+  forked([&] {
+    write_bench(dut, traffic, options.bench);
+    return std::string();
+  });
+}
+
 /// Each unit by itself: the walk of one that has a walk, and random traffic.
 std::vector<UnitVerdict> verify_at_random(const VerifyOptions& options, const Show& show,
                                           const knob_values& k, const unit_choices& choices) {
@@ -265,6 +293,12 @@ Run plan_verify(const VerifyOptions& options) {
           "{}'",
           options.stream, unit, unit, options.stream));
   }
+  if (!options.bench.empty() && (options.units.size() != 1 || options.units[0] == "all"))
+    throw UsageError(
+        "--bench-out is for one unit; name that and no other, as in 'racebeam verify "
+        "stacks --bench-out stacks_bench.v'");
+  if (!options.bench.empty() && options.stream.empty() && options.random == 0)
+    throw UsageError("--bench-out is of random traffic or of a --stream; leave out --random 0");
   if (options.frames == 0 && options.random == 0 && options.power_up == 0)
     throw UsageError("--frames 0 and --random 0 compare nothing; leave out one of them");
   Run run = open_run(options, true);
@@ -283,19 +317,25 @@ Run plan_verify(const VerifyOptions& options) {
 int command_verify(const VerifyOptions& options) {
   if (!options.replay.empty()) return verify_replay(options);
   auto [show, level, k, choices] = plan_verify(options);
-  const UseOption use(show.engine(), k, show.tables(), options.power_up > 0);
+  const bool inside = options.power_up > 0 || !options.bench.empty();
+  const UseOption use(show.engine(), k, show.tables(), inside);
   if (options.units.empty()) use.lockstep(choices, "all");
   for (const std::string& unit : options.units) use.lockstep(choices, unit);
   leave_out_whole_chip(show.engine(), options, options.units, choices);
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;
-  const bool streams = !options.stream.empty();
+  const bool streams = !options.stream.empty(), benched = !options.bench.empty();
   if (streams) verdicts = verify_on_stream(options, show, k, choices);
   else if (options.random > 0 || options.power_up > 0)
     verdicts = verify_at_random(options, show, k, choices);
   for (const UnitVerdict& verdict : verdicts)
     if (!verdict.fault.empty()) choices.by_unit.erase(verdict.unit);
-  if (!streams && frames_of(options, show) > 0 && !interrupted() && !choices.by_unit.empty())
+  if (benched && !interrupted() && !choices.by_unit.empty()) {
+    const auto& [unit, choice] = *choices.by_unit.begin();
+    write_bench(options, {unit, choice.plugin, k, show.tables(), show.frames()}, verdicts);
+  }
+  if (!streams && !benched && frames_of(options, show) > 0 && !interrupted() &&
+      !choices.by_unit.empty())
     for (const UnitVerdict& verdict : verify_in_chip(options, show, k, choices))
       verdicts.push_back(verdict);
 
@@ -355,6 +395,13 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
                   "every frame of the scene, or the first --frames of them, kept in parts in -o")
       .type_name("FILE")
       .check(not_empty);
+  command
+      .add_option("--bench-out", options.bench,
+                  "Instead of frames: write what is compared of one unit, a difference in few "
+                  "clocks, as a self-checking test bench in Verilog-2001")
+      .type_name("FILE.v")
+      .check(not_empty)
+      .excludes(frames);
   command.add_flag("--watch", options.watch, "Again whenever one of the RTL's files is saved");
   command.add_flag("--json", options.json, "JSON on stdout instead of the table");
 }

@@ -25,6 +25,7 @@ struct VerifyOptions : RunOptions, ShakeOptions {
   long long seed = 1;
   std::string folder = "racebeam_verify";  ///< for waveforms of differences
   std::string stream;                      ///< file that is all that is played; empty: none
+  std::string bench;                       ///< Verilog file of what the unit is played; empty: none
   bool no_shrink = false;                  ///< differences alone stay as they were found
   std::string replay;                      ///< a file of traffic, instead of frames and random
   long long power_up = 0;                  ///< random values of each unit's registers at power-up

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <random>
 #include <type_traits>
 
 #include "sc/base/unit.h"
@@ -122,6 +123,37 @@ std::optional<TrafficDifference> BareRtl::run(const PortTraffic& traffic, std::u
   auto found = run(traffic.row(from), to - from, begun_);
   if (found) found->clock += from;
   return found;
+}
+
+void BareRtl::power_up(std::uint32_t seed) {
+  const rtl_model& model = library_.model();
+  if (model.signal_count == 0)
+    throw RtlError(rtl_place(model) + ": this was built without its signals; give its source");
+  library_.eval();
+  settled_ = false;
+  std::mt19937_64 random(seed);
+  for (int n = 0; n < model.signal_count; ++n)
+    if (model.signals[n].bits <= 64)
+      write(model.signals[n], seed == 0 ? ~std::uint64_t{0} : random());
+}
+
+PortTraffic BareRtl::answers(const PortTraffic& traffic,
+                             const std::map<std::uint64_t, int>& seeks) {
+  PortTraffic all = traffic;
+  for (std::uint64_t clock = 0; clock < traffic.clocks(); ++clock) {
+    if (const auto frame = seeks.find(clock); frame != seeks.end()) {
+      hold("rst_ni", 0);
+      library_.rise();
+      hold("rst_ni", 1);
+      hold("frame_end_i", 1);
+      for (int n = 0; n < frame->second; ++n) library_.rise();
+    }
+    settle(traffic.row(clock));
+    for (const Joint& out : outputs_)
+      all.values[clock * traffic.ports.size() + out.port] = read(*out.rtl);
+    edge();
+  }
+  return all;
 }
 
 }  // namespace racebeam

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,7 +61,12 @@ class BareRtl {
   /// Whether the RTL has a port; it may do without an optional one.
   bool has(std::size_t port) const;
 
-  const rtl_model& model() const { return library_.model(); }
+  /// Gives all signals inside any values, as registers have them at power-up; of RTL that was built
+  /// with its signals; those of 0 are all ones. Throws RtlError if it was not.
+  void power_up(std::uint32_t seed);
+  /// All of `traffic`, with what the outputs of the RTL are instead. `seeks`: by clock, the frame
+  /// that a counter of frames goes to first. Throws RtlFault.
+  PortTraffic answers(const PortTraffic& traffic, const std::map<std::uint64_t, int>& seeks = {});
 
  private:
   struct Joint {
