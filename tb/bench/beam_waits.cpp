@@ -64,7 +64,8 @@ void BeamWaits::look_at_tracer() {
   climb_.see(climb);
   const int tag = static_cast<int>(chip_.tag.read()) << 1 | chip_.second.read();
   climb_stays_.see(climbed_ && climb && tag == tag_);
-  descend_stays_.see(descended_ && chip_.descend.read() && tag == tag_);
+  // At a wall there is no way down, and subdivider has to see it.
+  descend_stays_.see(descended_ && chip_.descend.read() && !chip_.wall.read() && tag == tag_);
   climbed_ = climb;
   descended_ = chip_.descend.read();
   tag_ = tag;
