@@ -122,6 +122,7 @@ void AllFramesReplay::do_part(const ReplayPart& part, std::atomic<std::uint64_t>
   const auto source = part_source(what_, head_, part, folder_, file);
   std::uint64_t told = 0;
   Replay what = what_;
+  what.captured = fmt::format("--first {} --frames {}", part.first, part.frames);
   what.folder = folder_ + "/" + std::filesystem::path(part.file()).stem().string();
   const UnitVerdict verdict = replayed(what, *source, [&](std::uint64_t clocks) {
     compared += clocks - told;

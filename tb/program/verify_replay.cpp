@@ -60,8 +60,12 @@ FirstDifference first_of(const Replay& replay, const TrafficSource& source,
 }  // namespace
 
 std::string Replay::repeat() const {
-  return fmt::format("racebeam verify {} --replay {} --scene {}{}", word, options.replay,
-                     options.scene, options.set_text());
+  const std::string run_text = " --scene " + options.scene + options.set_text();
+  const std::string file = captured.empty() ? options.replay : dut.unit + ".traffic";
+  const std::string replay = fmt::format("racebeam verify {} --replay {}{}", word, file, run_text);
+  if (captured.empty()) return replay;
+  return fmt::format("racebeam capture {} {}{} -o {} && {}", dut.unit, captured, run_text, file,
+                     replay);
 }
 
 UnitVerdict replayed(const Replay& what, TrafficSource& source,

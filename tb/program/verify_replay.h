@@ -25,6 +25,7 @@ struct Replay {
   UnitUnderTest dut;   ///< its plug-in, or ModelPlayer
   std::string folder;  ///< for waveforms
   std::string traffic = "replay";
+  std::string captured{};  ///< with these options of `racebeam capture`, if there is no file
 
   std::string repeat() const;
 };

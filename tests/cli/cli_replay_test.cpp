@@ -146,6 +146,10 @@ TEST_F(CliReplayTest, PartsOfOtherRtlAreNotMixed) {
   const Json row =
       unit({"verify", mistaken(), "--replay", "all", "--frames", "1", "-o", "mine"}, 1);
   EXPECT_EQ(row["first"]["place"]["frame"], 0);
+  EXPECT_THAT(row["first"]["text"].get<std::string>(),
+              HasSubstr("repeat: racebeam capture stacks --first 0 --frames 1 --scene demo -o "
+                        "stacks.traffic && racebeam verify stacks=mine.sv --replay stacks.traffic "
+                        "--scene demo\n"));
 }
 
 TEST_F(CliReplayTest, TwoReplaysAtOnceAreRefused) {
