@@ -45,7 +45,8 @@ class CliVerilogBenchTest : public testing::TestWithParam<const char*> {
   }
   int in_verilator(const std::string& unit) {
     if (shell("verilator --binary --timing -O0 --top-module " + unit + "_bench --Mdir v bench.v '" +
-              rtl_file("racebeam_pkg") + "' '" + rtl_file(unit) + "'") != 0)
+              rtl_file("racebeam_pkg") + "' '" + rtl_file(unit) +
+              "' -y '" RACEBEAM_SOURCE_DIR "/rtl/beam'") != 0)
       return -1;
     return shell("v/V" + unit + "_bench");
   }
@@ -91,20 +92,32 @@ TEST_F(CliVerilogBenchTest, WhatHasNoBenchIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(folder / "bench.v"));
 }
 
-class LongVerilogBench : public CliVerilogBenchTest {};
+class LongBenchInIcarus : public CliVerilogBenchTest {};
+class LongBenchInVerilator : public CliVerilogBenchTest {};
 
-TEST_P(LongVerilogBench, PassesInIcarusAndInVerilator) {
-  ASSERT_EQ(verify(GetParam(), {"--random", "1000"}), 0) << said;
+TEST_P(LongBenchInIcarus, PassesWithTheGates) {
+  ASSERT_EQ(verify(GetParam(), {"--random", "2000"}), 0) << said;
   EXPECT_EQ(in_icarus(GetParam()), 0) << said;
   EXPECT_THAT(said, HasSubstr("PASS: "));
+}
+
+TEST_P(LongBenchInVerilator, PassesWithTheRtl) {
+  ASSERT_EQ(verify(GetParam(), {"--random", "500"}), 0) << said;
   EXPECT_EQ(in_verilator(GetParam()), 0) << said;
   EXPECT_THAT(said, HasSubstr("PASS: "));
 }
 
-INSTANTIATE_TEST_SUITE_P(LongUnits, LongVerilogBench,
+// Without subdivider and pwm_sound: what their registers have at power-up goes on as unknown bits
+// where it makes no difference.
+INSTANTIATE_TEST_SUITE_P(LongUnits, LongBenchInIcarus,
                          testing::Values("vga_timing", "sequencer", "camera_unit", "ray_stepper",
                                          "stacks", "decision_datapath", "scene", "navigator",
-                                         "interval_fifo", "pixel_output", "pwm_sound"),
+                                         "interval_fifo", "pixel_output"),
+                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(LongUnits, LongBenchInVerilator,
+                         testing::Values("vga_timing", "sequencer", "camera_unit", "ray_stepper",
+                                         "subdivider", "stacks", "decision_datapath", "scene",
+                                         "navigator", "interval_fifo", "pixel_output", "pwm_sound"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
