@@ -24,6 +24,7 @@ namespace racebeam {
 
 namespace {
 
+constexpr int Rounds = 24;      // to tell registers from wires of one bit
 constexpr int StartsAlone = 6;  // of one register: ones, and random values
 
 /// A register, or all elements of an array.
@@ -70,28 +71,27 @@ bool is_kept(const Register& signal, const std::vector<std::uint64_t>& written) 
   return true;
 }
 
-/// The names of what the RTL itself remembers, of all signals.
+/// The names of what the RTL itself remembers, of all signals: a wire seldom is what was written.
 std::vector<std::string> registers_of(const std::string& plugin) {
-  std::set<std::string> kept[2];
-  for (const rtl_registers value : {RtlZeros, RtlOnes}) {
+  std::mt19937_64 random(1);
+  std::set<std::string> kept;
+  for (int round = 0; round < Rounds; ++round) {
     rtl_library rtl(plugin);
     const auto signals = signals_of(rtl.model());
     std::vector<std::vector<std::uint64_t>> written;
     for (const Register& signal : signals) {
       written.emplace_back();
       for (const rtl_port* part : signal.parts) {
-        put(*part, value == RtlOnes ? ~std::uint64_t{0} : 0);
+        put(*part, random());
         written.back().push_back(value_of(*part));
       }
     }
     rtl.eval();
     for (std::size_t n = 0; n < signals.size(); ++n)
-      if (is_kept(signals[n], written[n])) kept[value].insert(signals[n].name);
+      if (!is_kept(signals[n], written[n])) kept.erase(signals[n].name);
+      else if (round == 0) kept.insert(signals[n].name);
   }
-  std::vector<std::string> both;
-  for (const std::string& name : kept[RtlZeros])
-    if (kept[RtlOnes].count(name) != 0) both.push_back(name);
-  return both;
+  return {kept.begin(), kept.end()};
 }
 
 Register find(const rtl_model& model, const std::string& name) {

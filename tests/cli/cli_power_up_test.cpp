@@ -58,13 +58,6 @@ TEST_F(CliPowerUpTest, TheRegisterThatTheResetMissesIsNamed) {
   EXPECT_THAT(said, Not(HasSubstr("register vs_q"))) << "the contract leaves that one so";
 }
 
-TEST_F(CliPowerUpTest, ALinePositionWithoutResetShowsFromNearlyAllSeeds) {
-  write("      h_pos_q <= FirstPosition;\n", "");
-  run({"vga_timing=mine.sv", "--power-up", "5"});
-  EXPECT_EQ(code, 1);
-  EXPECT_THAT(said, HasSubstr("the register h_pos_q"));
-}
-
 TEST_F(CliPowerUpTest, UnitsWithoutAResetAreLeftOut) {
   run({"stacks", "--power-up", "20", "--json"});
   EXPECT_EQ(code, 0) << said;
