@@ -54,7 +54,7 @@ std::vector<FunctionalCross> block_rows() {
        "rst_ni == 1",
        {flag("valid", "bus_valid_o"), flag("ready", "bus_ready_i"),
         axis_of_flag("turn_over", "later_q == 0"), axis_of_flag("first_core", "core_o == 0")},
-       {}},
+       {{{"no", "*", "*", "no"}, "without a word the core is the first"}}},
       {"block_scheduler",
        "dealing",
        "rst_ni == 1",
