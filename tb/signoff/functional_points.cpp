@@ -116,9 +116,12 @@ std::unique_ptr<Expression> CrossCounter::made(const std::string& text, UnitBenc
 }
 
 CrossCounter::CrossCounter(const FunctionalCross& cross, UnitBench& bench,
-                           const sc_core::sc_module& model)
+                           sc_core::sc_module& model)
     : cross_(cross), counts_(cross.points()) {
-  if (const auto* shown = dynamic_cast<const probed*>(&model)) registers_ = shown->probes();
+  if (auto* shown = dynamic_cast<probed*>(&model)) {
+    shown->watch();
+    registers_ = shown->probes();
+  }
   if (!cross.during.empty()) during_ = made(cross.during, bench);
   for (const FunctionalAxis& axis : cross.axes) {
     axes_.emplace_back();

@@ -67,9 +67,9 @@ FunctionalAxis axis_of_flag(const std::string& name, const std::string& when);
 /// Counts the points of one cross.
 class CrossCounter {
  public:
-  /// Over the pins on `bench` and the registers of `model`, both of which outlive it. Throws
-  /// UsageError if a condition does not fit them.
-  CrossCounter(const FunctionalCross& cross, UnitBench& bench, const sc_core::sc_module& model);
+  /// Over the pins on `bench` and the registers of `model`, both of which outlive it; the model
+  /// sleeps no more. Throws UsageError if a condition does not fit them.
+  CrossCounter(const FunctionalCross& cross, UnitBench& bench, sc_core::sc_module& model);
   ~CrossCounter();
 
   /// To be called in each clock, when the wires have settled.

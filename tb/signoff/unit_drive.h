@@ -30,7 +30,7 @@ class UnitDrive {
   /// Ends early when the RTL faults. Throws Interrupted.
   void run(std::uint64_t clocks, const std::function<void()>& each = {});
 
-  const sc_core::sc_module& model() const { return *model_; }
+  sc_core::sc_module& model() { return *model_; }
   UnitBench& bench() { return bench_; }
   Lockstep& lockstep() { return lockstep_; }
 
