@@ -12,6 +12,7 @@
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
+#include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
@@ -188,6 +189,7 @@ void run_yosys(const std::string& commands, const std::string& folder, const std
   if (!has_tool("yosys")) throw MissingTool("yosys is not installed; scripts/setup installs it");
   std::ofstream(folder + "/commands.ys") << commands;
   const ToolResult result = run_tool({{"yosys", "-q", "-s", "commands.ys"}, folder, {}, {}});
+  if (!result.good && interrupted()) throw Interrupted();
   if (!result.good) throw RtlError("yosys cannot make a netlist of " + unit + ":\n" + result.said);
 }
 

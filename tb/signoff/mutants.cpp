@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "tb/base/console.h"
 #include "tb/base/forked.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
