@@ -118,6 +118,8 @@ void rtl_island::find_wires() {
     const sc_core::sc_object* channel = channel_of(*out.pin);
     out.is_inner = channel && channel->get_parent_object() == chip &&
                    read_outside.count(place_of(out.wire)) == 0;
+    if (const auto* bit = dynamic_cast<const wire<1>*>(channel))
+      out.rises = &const_cast<sc_core::sc_event&>(bit->posedge_event());
   }
   for (const input& in : inputs_) by_name[wire_name(in.pin->port_name())] = place_of(in.wire);
   for (const island_unit* unit : units_)
@@ -176,6 +178,7 @@ void rtl_island::publish() {
     if (now == out.last) continue;
     out.last = now;
     put(out.wire, now);
+    if (now && out.rises) out.rises->notify();
   }
 }
 

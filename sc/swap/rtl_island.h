@@ -3,7 +3,7 @@
 // Each unit keeps its pins and its place in the chip, an rtl_shell; what is behind the pins is one
 // model. It is evaluated when a wire from outside changes, not whenever one of its units moves
 // another. Wires that only units inside read carry the same values at the same clocks as ever, but
-// wake nobody.
+// of events they have posedge_event() only.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -76,7 +76,8 @@ class rtl_island {
     const rtl_port* rtl;
     wire_contents wire{};
     std::uint64_t last = 0;
-    bool is_inner = true;  // nobody outside reads the wire
+    bool is_inner = true;                // nobody outside reads the wire
+    sc_core::sc_event* rises = nullptr;  // of an inner wire of one bit
   };
 
   void join(const std::vector<island_unit*>& units);

@@ -48,7 +48,8 @@ std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void
   if (!maker)
     throw RtlError(path + " is no plug-in of this racebeam; make one with `racebeam verilate`");
   const rtl_power_up start = RtlPowerUp::now();
-  if (const auto set = reinterpret_cast<rtl_power_up_setter>(dlsym(library.get(), "rtl_power_up_1")))
+  if (const auto set =
+          reinterpret_cast<rtl_power_up_setter>(dlsym(library.get(), "rtl_power_up_1")))
     set(start);
   else if (start.registers != RtlZeros)
     throw RtlError(path + " was built before there was a choice of power-up; build it again");

@@ -96,7 +96,7 @@ std::vector<Asked> asked_units(const std::vector<std::string>& words, const Run&
 
 SignoffUnit unit_of(const Asked& asked, const Run& run) {
   const PluginMaker maker = twins_of(run.show.engine()).plugins(run.k, run.show.tables(), false);
-  SignoffUnit unit{{asked.unit, "", run.k, run.show.tables(), run.show.frames()}, {}};
+  SignoffUnit unit{{asked.unit, "", run.k, run.show.tables(), run.show.frames()}, {}, asked.file};
   unit.sources =
       asked.file.empty() ? maker.own_rtl(asked.unit) : maker.users_rtl(asked.unit, asked.file);
   unit.dut.plugin = rtl_plugin(unit.sources);

@@ -18,6 +18,7 @@ namespace racebeam {
 struct SignoffUnit {
   UnitUnderTest dut;   ///< with the plug-in of its RTL
   RtlSources sources;  ///< that RTL
+  std::string file{};  ///< a user's RTL as it was named; empty: the unit's own
 };
 
 struct SignoffOptions {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "sc/swap/rtl_parameters.h"
-#include "tb/verilate/gate_netlist.h"
 #include "tb/twin/island_text.h"
+#include "tb/verilate/gate_netlist.h"
 #include "tb/verilate/rtl_sources.h"
 
 namespace racebeam {
