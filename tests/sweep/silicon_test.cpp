@@ -103,12 +103,12 @@ TEST(UnitSourcesTest, ChangeTheKeyOfWhatIsMadeOfThem) {
   EXPECT_EQ(differing(whole, keys()), std::set<std::string>{"stacks"});
   std::ofstream(folder / "base/racebeam_pkg.sv", std::ios::app) << "// more\n";
   EXPECT_EQ(differing(whole, keys()).size(), std::size(Units));
-  std::ofstream(folder / "beam/more.svh") << "`define MORE 1\n";
+  std::ofstream(folder / "beam/scene_lines.svh") << "`define MORE 1\n";
   const auto before = keys();
-  std::ofstream(folder / "beam/scene.sv", std::ios::app) << "`include \"more.svh\"\n";
+  std::ofstream(folder / "beam/scene.sv", std::ios::app) << "`include \"scene_lines.svh\"\n";
   const auto with_more = keys();
   EXPECT_EQ(differing(before, with_more), std::set<std::string>{"scene"});
-  std::ofstream(folder / "beam/more.svh") << "`define MORE 2\n";
+  std::ofstream(folder / "beam/scene_lines.svh") << "`define MORE 2\n";
   EXPECT_EQ(differing(with_more, keys()), std::set<std::string>{"scene"});
 }
 
