@@ -56,8 +56,8 @@ TEST_P(CliHangTest, IsNamedAtTheEndOfTheChain) {
 }
 
 const Plant plants[] = {
-    {"VgaTimingStopsInALine", "vga_timing", "assign h_step = h_en && h_pos_q == h_last;",
-     "assign h_step = h_en && h_pos_q == h_last && v_pos_q != -10'sd200;", "demo", "video"},
+    {"VgaTimingStopsInALine", "vga_timing", "h_pos_q <= h_pos_d;",
+     "h_pos_q <= v_pos_q == -10'sd200 && h_pos_q == 7 ? h_pos_q : h_pos_d;", "demo", "video"},
     {"CameraUnitNeverRuns", "camera_unit", "Load: phase_d = Scale;",
      "Load: if ($signed(y_i) < -10'sd250) phase_d = Scale;"},
     {"SubdividerNeverEndsItsWalk", "subdivider", "if (idx_load_i) idx2_d = idx_start_i;",
