@@ -4,22 +4,16 @@
 
 #include <stdexcept>
 
-#include "sc/beam/sequencer.h"
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/scene/engines.h"
+#include "tb/twin/random_episodes.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr std::uint64_t Look = 1024;  // clocks, then it looks for an interrupt
-
-/// No episode is long enough to count there. One in four: the last frame.
-int any_frame(int frames, unsigned random) {
-  const auto count = static_cast<unsigned>(frames);
-  return static_cast<int>(random % 4 == 0 ? count - 1 : random / 4 % count);
-}
 
 }  // namespace
 
@@ -37,12 +31,9 @@ UnitDrive::UnitDrive(const UnitUnderTest& dut, const std::string& plugin, Stimul
     return;
   }
   const auto traffic = std::make_shared<RandomTraffic>(bench_, row.inputs(dut.k), seed);
-  if (auto* counter = dynamic_cast<sequencer_pins*>(model_.get()))
-    traffic->at_episodes([this, counter, frames = dut.frames](unsigned random) {
-      const int frame = any_frame(frames, random);
-      counter->deposit(frame);
-      lockstep_.deposit([&](rtl_instance& rtl) { rtl.seek(frame); });
-    });
+  seek_at_episodes(*traffic, *model_, dut.frames, [this](int frame) {
+    lockstep_.deposit([frame](rtl_instance& rtl) { rtl.seek(frame); });
+  });
   next_ = [traffic] { traffic->next(); };
 }
 

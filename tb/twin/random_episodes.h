@@ -7,14 +7,14 @@
 
 #include <functional>
 
-#include "sc/swap/rtl_instance.h"
+#include "sc/base/unit.h"
 #include "tb/twin/random_traffic.h"
 
 namespace racebeam {
 
 /// When an episode of `traffic` begins, a `model` with a back door for it begins some frame of so
-/// many, one in four times the last; `beside` does what it is given to RTL beside the model.
+/// many, one in four times the last; `beside` is told which.
 void seek_at_episodes(RandomTraffic& traffic, sc_core::sc_module& model, int frames,
-                      const std::function<void(const std::function<void(rtl_instance&)>&)>& beside);
+                      const std::function<void(int frame)>& beside);
 
 }  // namespace racebeam

@@ -8,18 +8,12 @@
 
 #include "sc/beam/sequencer.h"
 #include "tb/scene/engines.h"
-#include "tb/twin/random_traffic.h"
+#include "tb/twin/random_episodes.h"
 #include "tb/twin/twins.h"
 
 namespace racebeam {
 
 namespace {
-
-/// No episode is long enough to count there. One in four: the last frame.
-int any_frame(const UnitUnderTest& dut, unsigned random) {
-  const auto frames = static_cast<unsigned>(dut.frames);
-  return static_cast<int>(random % 4 == 0 ? frames - 1 : random / 4 % frames);
-}
 
 void keep_last(PortStream& stream, std::uint64_t most) {
   const std::uint64_t left_out = stream.clocks() - most;
@@ -52,12 +46,10 @@ void TwinBench::stimulate(Stimulus stimulus, unsigned seed) {
   const auto random = std::make_shared<RandomTraffic>(bench_, row.inputs(dut_.k), seed);  // resets
   if (stimulus == Stimulus::Walk)
     return drive_each(row.walk(dut_.unit)->begin(bench_, dut_.k, seed));
-  if (counter_)
-    random->at_episodes([this](unsigned number) {
-      const int frame = any_frame(dut_, number);
-      if (seeks_) seeks_(frame);
-      seek(frame);
-    });
+  seek_at_episodes(*random, *model_, dut_.frames, [this](int frame) {
+    if (seeks_) seeks_(frame);
+    seek_rtl(frame);
+  });
   drive_each([random] { random->next(); });
 }
 
@@ -94,6 +86,10 @@ std::function<std::uint64_t()> TwinBench::frame_register() const {
 
 void TwinBench::seek(int frame) {
   counter_->deposit(frame);
+  seek_rtl(frame);
+}
+
+void TwinBench::seek_rtl(int frame) {
   lockstep_.deposit([frame](rtl_instance& rtl) { rtl.seek(frame); });
 }
 

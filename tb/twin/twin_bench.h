@@ -48,6 +48,7 @@ class TwinBench {
  private:
   std::function<std::uint64_t()> frame_register() const;  // nothing: it has none
   void seek(int frame);
+  void seek_rtl(int frame);
   void drive_each(std::function<void()> next);
   void drive(const PortStream& stream, std::uint64_t clock);
 

@@ -60,7 +60,9 @@ void record_lone_traffic(
   EdgeTap edges("tap", tap);
   UnitBench bench(*model, &edges.clk_i);
   RandomTraffic traffic(bench, twins_of(built).inputs(dut.k), seed);
-  seek_at_episodes(traffic, *model, dut.frames, [&](const auto& put) { tap.deposit(put); });
+  seek_at_episodes(traffic, *model, dut.frames, [&tap](int frame) {
+    tap.deposit([frame](rtl_instance& rtl) { rtl.seek(frame); });
+  });
   if (kind == LoneTraffic::Random) bench.between_edges([&] { traffic.next(); });
   else bench.between_edges(twins_of(built).walk(dut.unit)->begin(bench, dut.k, seed));
   for (std::uint64_t ready = 0; ready < clocks;) {
