@@ -100,7 +100,7 @@ TEST_F(CliSweepSlurmTest, ACancelledArrayGoesOnWithTheSameCommand) {
   expect_whole();
 }
 
-// Ten blocks of some 60 s. What the queue costs is printed, not judged: other work on the machine
+// Six blocks of some 60 s. What the queue costs is printed, not judged: other work on the machine
 // would decide it.
 TEST_F(CliSweepSlurmTest, BothQueuesStoreTheSameAndSayWhatTheyTook) {
   using Clock = std::chrono::steady_clock;
@@ -109,17 +109,17 @@ TEST_F(CliSweepSlurmTest, BothQueuesStoreTheSameAndSayWhatTheyTook) {
   };
   write(
       "name = \"minutes\"\n"
-      "[frames]\nsample = 3200\nguard = 0\n"
+      "[frames]\nsample = 1800\nguard = 0\n"
       "[knobs]\ninterval_stack_depth = [2, 3, 4]\nhurry_threshold = [32, 64]\n"
       "fifo_entries = [6, 8, 10]\n"
       "[measure]\nsilicon = \"off\"\n");
   Clock::time_point begin = Clock::now();
-  expect(on_slurm({}, "10"), 0);
+  expect(on_slurm({}, "6"), 0);
   const double queued = seconds_since(begin);
   begin = Clock::now();
   expect_run("local");
   const double local = seconds_since(begin);
-  std::printf("57,600 frames in ten blocks: Slurm %.1f s, --jobs 2 %.1f s, ratio %.3f\n", queued,
+  std::printf("32,400 frames in six blocks: Slurm %.1f s, --jobs 2 %.1f s, ratio %.3f\n", queued,
               local, queued / local);
   EXPECT_TRUE(frames_of("out") == frames_of("local")) << "out.csv is not local.csv";
 }
