@@ -4,10 +4,12 @@
 //
 //   # racebeam-stream 1
 //   unit stacks
-//   hold push_en_i 1        an input that keeps its value; hexadecimal
-//   clock  sp_i  tag_i      the inputs that move; all others are at rest: 0, or what a chip has for
-//   0 1      0     1f 2..4   1     1f         several clocks alike frame 9599              of units
-//   that count frames: both sides go to that one first 5      1     3
+//   hold push_en_i 1        # an input that keeps its value; hexadecimal
+//   clock  sp_i  tag_i      # those that move; others rest: at 0, or at what a chip has there
+//   1      0     1f
+//   2..4   1     1f         # several clocks alike
+//   frame 9599              # of units that count frames: both sides go to that one first
+//   5      1     3
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
