@@ -19,12 +19,6 @@ bool ends_with(const std::string& text, const std::string& end) {
 }
 
 // The machine's bytes begin with the lowest.
-std::uint64_t read(const rtl_port& port) {
-  std::uint64_t value = 0;
-  std::memcpy(&value, port.data, static_cast<std::size_t>(port.bytes));
-  return value;
-}
-
 void write(const rtl_port& port, std::uint64_t value) {
   const std::uint64_t raw = raw_bits(value, port.bits);
   std::memcpy(port.data, &raw, static_cast<std::size_t>(port.bytes));
@@ -88,7 +82,9 @@ void rtl_island::join(const std::vector<island_unit*>& units) {
   for (int n = 0; n < model.port_count; ++n) {
     const rtl_port& port = model.ports[n];
     const std::string name = port.name;
-    if (name == IslandTick || name.rfind(OwnTick, 0) == 0 || name.rfind(OwnPins, 0) == 0) continue;
+    if (name == IslandTick || name == IslandTake || name.rfind(OwnTick, 0) == 0 ||
+        name.rfind(OwnPins, 0) == 0)
+      continue;
     const auto& side = port.is_input ? readers : drivers;
     const auto at = side.find(name.substr(0, name.size() - 2));
     if (at == side.end() || at->second->bits() != port.bits)
@@ -134,7 +130,15 @@ void rtl_island::find_wires() {
   inner_.erase(
       std::remove_if(inner_.begin(), inner_.end(), [](const output& out) { return !out.is_inner; }),
       inner_.end());
+  inner_changes_ = changes_of(inner_);
+  outer_changes_ = changes_of(outer_);
   bound_ = true;
+}
+
+changed_ports rtl_island::changes_of(const std::vector<output>& outputs) {
+  std::vector<const rtl_port*> ports;
+  for (const output& out : outputs) ports.push_back(out.rtl);
+  return changed_ports(ports);
 }
 
 void rtl_island::settle() {
@@ -164,22 +168,15 @@ void rtl_island::seq() {
 }
 
 void rtl_island::drive_outer() {
-  for (output& out : outer_) {
-    const std::uint64_t now = read(*out.rtl);
-    if (now == out.last) continue;
-    out.last = now;
-    out.pin->drive_wire(now);
-  }
+  outer_changes_.visit(
+      [this](std::size_t n, std::uint64_t value) { outer_[n].pin->drive_wire(value); });
 }
 
 void rtl_island::publish() {
-  for (output& out : inner_) {
-    const std::uint64_t now = read(*out.rtl);
-    if (now == out.last) continue;
-    out.last = now;
-    put(out.wire, now);
-    if (now && out.rises) out.rises->notify();
-  }
+  inner_changes_.visit([this](std::size_t n, std::uint64_t value) {
+    put(inner_[n].wire, value);
+    if (value && inner_[n].rises) inner_[n].rises->notify();
+  });
 }
 
 std::vector<probe> rtl_island::probes(const std::string& instance) const {
@@ -189,7 +186,8 @@ std::vector<probe> rtl_island::probes(const std::string& instance) const {
     const rtl_port& signal = library_.model().signals[n];
     const std::string name = signal.name;
     if (name.rfind(above, 0) == 0)
-      all.push_back({name.substr(above.size()), signal.bits, [&signal] { return read(signal); }});
+      all.push_back(
+          {name.substr(above.size()), signal.bits, [&signal] { return port_value(signal); }});
   }
   return all;
 }
@@ -210,8 +208,9 @@ void rtl_island::private_edges(const std::string& instance, const input_values& 
   const rtl_port& own = rtl_port_of(model, OwnPins + instance);
   const rtl_port& tick = rtl_port_of(model, OwnTick + instance);
   write(own, 1);
+  library_.eval();
   for (; edges > 0; --edges) {
-    write(tick, read(tick) ^ 1);
+    write(tick, port_value(tick) ^ 1);
     library_.eval();
   }
   write(own, 0);

@@ -15,14 +15,17 @@
 
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
+#include "sc/swap/changed_ports.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 
 namespace racebeam {
 
-/// The module's name, and that of its input in the place of the clock.
+/// The module's name, that of its input in the place of the clock, and that of the input that
+/// changes when others have.
 constexpr const char* IslandTop = "racebeam_island";
 constexpr const char* IslandTick = "racebeam_tick";
+constexpr const char* IslandTake = "racebeam_take";
 /// Of a unit with a back door, before its instance: its own clock, whether it has inputs of its
 /// own, and before the instance and a port these.
 constexpr const char* OwnTick = "tick_";
@@ -75,7 +78,6 @@ class rtl_island {
     any_port* pin;
     const rtl_port* rtl;
     wire_contents wire{};
-    std::uint64_t last = 0;
     bool is_inner = true;                // nobody outside reads the wire
     sc_core::sc_event* rises = nullptr;  // of an inner wire of one bit
   };
@@ -85,6 +87,7 @@ class rtl_island {
   void comb();
   void seq();
   void publish();
+  static changed_ports changes_of(const std::vector<output>& outputs);
   void settle();
   void drive_outer();
 
@@ -92,6 +95,7 @@ class rtl_island {
   const std::vector<island_unit*> units_;
   std::vector<input> inputs_;
   std::vector<output> inner_, outer_;
+  changed_ports inner_changes_, outer_changes_;
   sc_core::sc_event edge_done_;
   bool settled_ = false, bound_ = false;
 };

@@ -14,6 +14,7 @@ namespace racebeam {
 namespace {
 
 constexpr const char* IslandClock = "racebeam_clock";
+constexpr const char* Taken = "racebeam_taken";  ///< rises when the inputs are to be taken
 
 bool drives(const RtlSyntax::Port& port) { return port.direction != "input"; }
 
@@ -32,14 +33,26 @@ class Wires {
         wire.bits = port.bits;
       }
   }
-  std::string at(const std::string& port) const { return text(*wires_.find(wire_name(port))); }
-  std::string declared() const {
+  /// What a unit has at the port.
+  std::string at(const std::string& port) const {
+    const auto& named = *wires_.find(wire_name(port));
+    return named.second.is_driven ? text(named) : held(text(named));
+  }
+  std::string outputs() const {
     std::string list;
     for (const auto& named : wires_)
-      list += fmt::format(",\n  {} wire [{}:0] {}", named.second.is_driven ? "output" : "input",
-                          named.second.bits - 1, text(named));
+      if (named.second.is_driven)
+        list += fmt::format(",\n  output wire [{}:0] {}", named.second.bits - 1, text(named));
     return list;
   }
+  /// Name and bits of each wire from outside.
+  std::vector<std::pair<std::string, int>> inputs() const {
+    std::vector<std::pair<std::string, int>> all;
+    for (const auto& named : wires_)
+      if (!named.second.is_driven) all.emplace_back(text(named), named.second.bits);
+    return all;
+  }
+  static std::string held(const std::string& input) { return input + "_held"; }
 
  private:
   struct Wire {
@@ -87,13 +100,15 @@ std::vector<std::vector<std::size_t>> islands_among(const std::vector<IslandUnit
 
 std::string island_text(const std::vector<IslandUnit>& units) {
   const Wires wires(units);
-  std::string ports = fmt::format("\n  input wire {}", IslandTick) + wires.declared();
+  std::string ports = fmt::format("\n  input wire {}", IslandTick) + wires.outputs();
   std::string body = pulse(IslandClock, IslandTick, "");
+  auto inputs = wires.inputs();
   for (const IslandUnit& unit : units) {
     const std::string tick = OwnTick + unit.instance, own = OwnPins + unit.instance;
     const std::string clock = unit.back_door ? unit.instance + "_clock" : IslandClock;
     if (unit.back_door) {
-      ports += fmt::format(",\n  input wire {},\n  input wire {}", tick, own);
+      ports += fmt::format(",\n  input wire {}", tick);
+      inputs.emplace_back(own, 1);
       body += pulse(clock, tick, IslandClock);
     }
     std::string parameters, pins;
@@ -106,14 +121,26 @@ std::string island_text(const std::vector<IslandUnit>& units) {
       std::string wire = port.name == unit.syntax.clock ? clock : wires.at(port.name);
       if (unit.back_door && port.name != unit.syntax.clock && !drives(port)) {
         const std::string other = own + "_" + port.name;
-        ports += fmt::format(",\n  input wire [{}:0] {}", port.bits - 1, other);
-        wire = fmt::format("{} ? {} : {}", own, other, wire);
+        inputs.emplace_back(other, port.bits);
+        wire = fmt::format("{} ? {} : {}", Wires::held(own), Wires::held(other), wire);
       }
       pins += fmt::format("{}\n  .{}({})", pins.empty() ? "" : ",", port.name, wire);
     }
     body += fmt::format("{} #({}) {} ({});\n", unit.unit, parameters, unit.instance, pins);
   }
-  return fmt::format("module {} ({});\n{}endmodule\n", IslandTop, ports, body);
+  // Verilator evaluates what hangs on an input each time, and what hangs on a register when that
+  // changes: so a clock does not pay for inputs that have not moved.
+  std::string declared;
+  if (!inputs.empty()) {
+    ports += fmt::format(",\n  input wire {}", IslandTake);
+    declared = pulse(Taken, IslandTake, "");
+  }
+  for (const auto& [input, bits] : inputs) {
+    ports += fmt::format(",\n  input wire [{}:0] {}", bits - 1, input);
+    declared += fmt::format("reg [{1}:0] {2} = 0;\nalways @(posedge {3}) {2} <= {0};\n", input,
+                            bits - 1, Wires::held(input), Taken);
+  }
+  return fmt::format("module {} ({});\n{}{}endmodule\n", IslandTop, ports, declared, body);
 }
 
 }  // namespace racebeam

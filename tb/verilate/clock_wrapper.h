@@ -14,6 +14,8 @@ namespace racebeam {
 constexpr const char* Wrapper = "racebeam_wrapper";  ///< the module
 constexpr const char* Wrapped = "racebeam_wrapped";  ///< the instance in it
 constexpr const char* Tick = "racebeam_tick";        ///< its input in the place of the clock
+/// Of an island: its input that changes with others, which it takes then.
+constexpr const char* Take = "racebeam_take";
 
 /// Whether `sources` want one: a whole chip, for the registers before its inputs, and what uses
 /// nothing but the rising edge of its clock.

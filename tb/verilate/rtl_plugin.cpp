@@ -77,18 +77,20 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
 /// same.
 std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
   const bool wrapped = is_wrapped(sources, syntax);
-  bool has_tick = syntax.rising_only;  // or is an island, with a tick of its own
+  bool has_tick = syntax.rising_only, has_take = false;  // or is an island, with its own
   std::string text = "#define RTL_PORTS";
   for (const RtlSyntax::Port& port : syntax.ports) {
     if (!is_plain(port.name)) continue;
     const bool ticks = syntax.rising_only && port.name == syntax.clock;
     has_tick |= port.name == Tick;
+    has_take |= port.name == Take;
     text += " RTL_PORT(" + port.name + ", " + (ticks ? Tick : port.name) + ", " +
             std::to_string(port.bits) + ", " + (port.direction == "input" ? "1" : "0") + ")";
   }
   text += "\n";
   if (has_tick) text += std::string("#define RTL_TICK ") + Tick + "\n";
   else if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
+  if (has_take) text += std::string("#define RTL_TAKE ") + Take + "\n";
   if (sources.signals)
     text += "#define RTL_SIGNALS\n#define RTL_SCOPE " +
             (wrapped ? c_string(std::string(Wrapper) + "." + Wrapped) : "rtl_unit") + "\n";
