@@ -53,6 +53,7 @@ chip::chip(const sc_core::sc_module_name& name, const knobs& k, const scene_prog
       u_pixel_output(make<pixel_output>(choices, "u_pixel_output", k)),
       u_pwm_sound(make<pwm_sound>(choices, "u_pwm_sound", k)),
       stalls_(channel_stalls::make(*this, clk_i)),
+      delays_(channel_delays::make(*this, clk_i)),
       knobs_(k),
       program_(program) {
   bind_raster_and_camera();
@@ -106,7 +107,7 @@ void chip::bind_raster_and_camera() {
     auto& u = *u_camera_unit;
     u.clk_i(clk_i);
     u.rst_ni(rst_ni);
-    u.line_end_i(line_end);
+    u.line_end_i(delayed(delays_, u.line_end_i, line_end));
     u.y_i(y);
     u.src_o(src);
     u.angle_i(angle);
@@ -187,7 +188,7 @@ void chip::bind_tracer() {
     u.restart_o(restart);
     u.emit_o(emit);
     u.len_m1_o(len_m1);
-    bind_channel(stalls_, u.ack_i, ack);
+    bind_channel(stalls_, u.ack_i, delayed(delays_, u.ack_i, ack));
     u.starving_i(starving);
     u.step_o(step);
     u.neg_o(neg);
@@ -286,10 +287,10 @@ void chip::bind_output() {
     auto& u = *u_interval_fifo;
     u.clk_i(clk_i);
     u.tracer_reset_i(tracer_reset);
-    bind_channel(stalls_, u.emit_i, emit);
-    u.len_m1_i(len_m1);
-    u.value_i(value);
-    u.half_i(half);
+    bind_channel(stalls_, u.emit_i, delayed(delays_, u.emit_i, emit));
+    u.len_m1_i(delayed(delays_, u.len_m1_i, len_m1));
+    u.value_i(delayed(delays_, u.value_i, value));
+    u.half_i(delayed(delays_, u.half_i, half));
     u.ack_o(ack);
     u.starving_o(starving);
     u.consume_i(consume);
@@ -346,7 +347,7 @@ chip_view chip::view() const {
           second.read(),
           wall.read(),
           emit.read(),
-          ack.read(),
+          u_subdivider->ack_i.read(),  // not that of the FIFO, if there are registers between
           line_done.read(),
           restart.read(),
           starving.read(),

@@ -26,6 +26,7 @@
 #include "sc/beam/stats_collector.h"
 #include "sc/beam/subdivider.h"
 #include "sc/beam/timeline.h"
+#include "sc/swap/channel_delays.h"
 #include "sc/swap/channel_stalls.h"
 #include "sc/video/vga_timing.h"
 
@@ -147,6 +148,7 @@ class chip final : public wired_chip {
 
  private:
   const std::unique_ptr<channel_stalls> stalls_;
+  const std::unique_ptr<channel_delays> delays_;
 
   void bind_raster_and_camera();
   void bind_tracer();

@@ -80,13 +80,13 @@ void block_chip::bind_bus() {
     u.word_ready_o(word_ready);
     u.core_o(core);
     u.bus_valid_o(bus_valid);
-    bind_channel(stalls_, u.bus_ready_i, put_ready);
+    bind_channel(stalls_, u.bus_ready_i, delayed(delays_, u.bus_ready_i, put_ready));
   }
   auto& u = *u_write_buffer;
   u.rst_ni(rst_ni);
-  bind_channel(stalls_, u.put_valid_i, bus_valid);
-  u.put_address_i(put_address);
-  u.put_data_i(put_data);
+  bind_channel(stalls_, u.put_valid_i, delayed(delays_, u.put_valid_i, bus_valid));
+  u.put_address_i(delayed(delays_, u.put_address_i, put_address));
+  u.put_data_i(delayed(delays_, u.put_data_i, put_data));
 }
 
 }  // namespace racebeam

@@ -230,7 +230,7 @@ void sphere_chip::bind_tracer() {
     u.weight_i(weight);
     u.word_valid_o(word_valid);
     u.word_address_o(word_address);
-    bind_channel(stalls_, u.word_ready_i, put_ready);
+    bind_channel(stalls_, u.word_ready_i, delayed(delays_, u.word_ready_i, put_ready));
     u.state_o(state);
   }
 }
@@ -238,9 +238,9 @@ void sphere_chip::bind_tracer() {
 void sphere_chip::bind_buffer() {
   auto& u = *u_write_buffer;
   u.rst_ni(rst_n);
-  bind_channel(stalls_, u.put_valid_i, word_valid);
-  u.put_address_i(word_address);
-  u.put_data_i(word);
+  bind_channel(stalls_, u.put_valid_i, delayed(delays_, u.put_valid_i, word_valid));
+  u.put_address_i(delayed(delays_, u.put_address_i, word_address));
+  u.put_data_i(delayed(delays_, u.put_data_i, word));
 }
 
 }  // namespace racebeam

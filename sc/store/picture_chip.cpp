@@ -13,7 +13,8 @@ picture_chip::picture_chip(const sc_core::sc_module_name& name, const store_knob
       u_store_arbiter(units.make<store_arbiter>(k)),
       u_frame_memory("u_frame_memory", k),
       u_frame_scanout(units.make<frame_scanout>(k)),
-      stalls_(channel_stalls::make(*this, clk_i)) {
+      stalls_(channel_stalls::make(*this, clk_i)),
+      delays_(channel_delays::make(*this, clk_i)) {
   bind_raster();
   bind_store();
   SC_HAS_PROCESS(picture_chip);
@@ -88,7 +89,7 @@ void picture_chip::bind_store() {
     u.take_valid_o(take_valid);
     u.take_address_o(take_address);
     u.take_data_o(take_data);
-    bind_channel(stalls_, u.take_ready_i, take_ready);
+    bind_channel(stalls_, u.take_ready_i, delayed(delays_, u.take_ready_i, take_ready));
     u.fill_o(fill);
   }
   {
@@ -97,9 +98,9 @@ void picture_chip::bind_store() {
     u.read_address_i(read_address);
     u.sync_i(sync);
     u.blank_i(blank);
-    bind_channel(stalls_, u.take_valid_i, take_valid);
-    u.take_address_i(take_address);
-    u.take_data_i(take_data);
+    bind_channel(stalls_, u.take_valid_i, delayed(delays_, u.take_valid_i, take_valid));
+    u.take_address_i(delayed(delays_, u.take_address_i, take_address));
+    u.take_data_i(delayed(delays_, u.take_data_i, take_data));
     u.take_ready_o(take_ready);
     u.mem_write_o(mem_write);
     u.mem_address_o(mem_address);

@@ -20,6 +20,7 @@
 #include "sc/store/store_arbiter.h"
 #include "sc/store/store_counters.h"
 #include "sc/store/write_buffer.h"
+#include "sc/swap/channel_delays.h"
 #include "sc/swap/channel_stalls.h"
 #include "sc/swap/unit_maker.h"
 #include "sc/video/vga_timing.h"
@@ -40,7 +41,9 @@ class picture_chip : public wired_chip {
   void connect(const wired_chip::pins& bench) override;
   /// Nothing in the write buffer: the frame store gets black, and counting begins anew.
   virtual void begin_picture() { u_frame_memory.clear(); }
-  /// The frame store, by address; a picture is all in it when take_valid is 0 again.
+  /// Words are on their way to the frame store.
+  bool storing() const { return take_valid.read() || (delays_ && delays_->busy()); }
+  /// The frame store, by address; a picture is all in it when storing() is false again.
   const std::vector<std::uint64_t>& memory() const { return u_frame_memory.words(); }
 
   // vga_timing
@@ -72,6 +75,7 @@ class picture_chip : public wired_chip {
 
  protected:
   const std::unique_ptr<channel_stalls> stalls_;  // nullptr: no channel stalls
+  const std::unique_ptr<channel_delays> delays_;  // nullptr: no channel has registers
 
   /// `clocks_per_pixel`: of the raster. Throws RtlError.
   picture_chip(const sc_core::sc_module_name& name, const store_knobs& k, int clocks_per_pixel,

@@ -79,7 +79,7 @@ void voxel_chip::bind_scan() {
     u.put_valid_o(put_valid);
     u.put_address_o(put_address);
     u.put_data_o(put_data);
-    bind_channel(stalls_, u.put_ready_i, put_ready);
+    bind_channel(stalls_, u.put_ready_i, delayed(delays_, u.put_ready_i, put_ready));
     u.state_o(scan_state);
   }
   {
@@ -96,9 +96,9 @@ void voxel_chip::bind_scan() {
   {
     auto& u = *u_write_buffer;
     u.rst_ni(rst_ni);
-    bind_channel(stalls_, u.put_valid_i, put_valid);
-    u.put_address_i(put_address);
-    u.put_data_i(put_data);
+    bind_channel(stalls_, u.put_valid_i, delayed(delays_, u.put_valid_i, put_valid));
+    u.put_address_i(delayed(delays_, u.put_address_i, put_address));
+    u.put_data_i(delayed(delays_, u.put_data_i, put_data));
   }
 }
 
@@ -221,7 +221,7 @@ void voxel_chip::bind_shade() {
   u.data_i(column_word);
   u.done_o(shade_done);
   u.colour_o(colour);
-  bind_channel(stalls_, u.put_ready_i, put_ready);
+  bind_channel(stalls_, u.put_ready_i, delayed(delays_, u.put_ready_i, put_ready));
 }
 
 }  // namespace racebeam

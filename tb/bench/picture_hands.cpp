@@ -40,7 +40,7 @@ void PictureHands::clock() {
     return;
   }
   busy_ = true;
-  if (!send() || chip_.take_valid.read()) return;
+  if (!send() || chip_.storing()) return;
   memory_ = chip_.memory();
   end();
   begun_ = busy_ = false;

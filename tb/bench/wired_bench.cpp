@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sc/base/constants.h"
+#include "sc/swap/channel_delays.h"
 #include "sc/swap/channel_stalls.h"
 #include "sc/swap/rtl_parameters.h"
 #include "tb/base/errors.h"
@@ -164,16 +165,19 @@ void WiredBench::Platform::put_all_beside() {
     for (const auto* module : dut->modules())
       if (module->name() == name) put_beside(unit, unit, *module);
   }
-  if (setting.units.of(built.top).lockstep) put_beside("top", built.top, *dut).check_wiring(*dut);
+  if (!setting.units.of(built.top).lockstep) return;
+  Lockstep& top = put_beside("top", built.top, *dut);
+  // With registers in its wires the chip has others than a top in RTL.
+  if (!channel_delays::of(*dut)) top.check_wiring(*dut);
 }
 
 void WiredBench::Platform::watch_hangs() {
   const auto is_rtl = [](const auto& one) { return one.second.driver == unit_choice::Rtl; };
   const auto& chosen = setting.units.by_unit;
   if (std::any_of(chosen.begin(), chosen.end(), is_rtl))
-    hang =
-        std::make_unique<HangWatch>(*dut, setting.k, waits_of(setting.built), clk.posedge_event(),
-                                    period, raster.line_clocks(), stalls != nullptr);
+    hang = std::make_unique<HangWatch>(*dut, setting.k, waits_of(setting.built),
+                                       clk.posedge_event(), period, raster.line_clocks(),
+                                       stalls || channel_delays::of(*dut));
 }
 
 void WiredBench::Platform::check_hang() const {

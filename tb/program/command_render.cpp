@@ -61,7 +61,7 @@ bool report_locksteps(const RenderPlan& plan, const RenderOptions& options, cons
                       int frames) {
   std::string rest;
   for (const std::string& units : options.units) rest += " --use " + units;
-  rest += options.set_text() + options.text();
+  rest += options.set_text() + options.text() + options.delays_text();
   std::vector<int> rendered;
   for (int i = 0; i <= frames && i < plan.frames.count(); ++i)
     rendered.push_back(plan.frames.number(i));
@@ -167,6 +167,7 @@ void add_options(const CommandOptions& command, RenderOptions& options) {
       .type_name("UNIT=IMPLEMENTATION")
       .repeatable();
   add_shake_options(command, options);
+  add_delay_options(command, options);
   add_tt_options(command, options);
   file("-o,--output", options.folder, "DIR|FILE",
        "Folder for frame_0000.png ..., manifest.json, stats.json; racebeam_out if no file is "

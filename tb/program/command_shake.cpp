@@ -13,7 +13,6 @@
 #include "tb/base/progress.h"
 #include "tb/judge/shake_run.h"
 #include "tb/program/common_options.h"
-#include "tb/render/frame_plan.h"
 #include "tb/scene/engines.h"
 #include "tb/show/open_show.h"
 #include "tb/twin/lockstep_report.h"
@@ -37,23 +36,6 @@ Run held_back(const ShakeCommandOptions& options, bool& held) {
   if (!held) return plain;
   run.assignments.push_back(fmt::format("{}={}", HeldBack, Slowest));
   return open_run(run, true);
-}
-
-std::vector<int> numbers_of(const ShakeCommandOptions& options, const Show& show) {
-  std::vector<int> numbers;
-  if (!options.at.empty()) {
-    const FramePlan plan(options.at, show.frames());
-    for (int n = 0; n < plan.count(); ++n) numbers.push_back(plan.number(n));
-    return numbers;
-  }
-  const int usual = show.engine().races_beam ? 3 : 1;
-  const long long count = options.frames ? options.frames : std::min(usual, show.frames());
-  if (count < 1 || count > show.frames())
-    throw UsageError(
-        fmt::format("--frames {} is out of range; the scene has {}", count, show.frames()));
-  for (long long n = 0; n < count; ++n)
-    numbers.push_back(static_cast<int>(n * show.frames() / count));
-  return numbers;
 }
 
 int list_channels(const ShakeCommandOptions& options) {
@@ -134,7 +116,7 @@ int command_shake(const ShakeCommandOptions& options) {
   bool held = false;
   Run run = held_back(options, held);
   const auto plan = stall_plan_of(run.show.engine(), options);
-  const std::vector<int> numbers = numbers_of(options, run.show);
+  const std::vector<int> numbers = spread_numbers(options.at, options.frames, run.show);
   use_units(run, options.units, false, false);
   leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   catch_interrupts();

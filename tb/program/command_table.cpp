@@ -5,6 +5,7 @@
 #include "tb/program/command_capture.h"
 #include "tb/program/command_claims.h"
 #include "tb/program/command_compare.h"
+#include "tb/program/command_delays.h"
 #include "tb/program/command_doctor.h"
 #include "tb/program/command_explain.h"
 #include "tb/program/command_knobs.h"
@@ -24,9 +25,10 @@ namespace racebeam {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      render_row(),  view_row(),   explain_row(), trace_row(),    scene_row(), verify_row(),
-      capture_row(), shake_row(),  signoff_row(), verilate_row(), units_row(), knobs_row(),
-      sweep_row(),   report_row(), compare_row(), claims_row(),   bench_row(), doctor_row(),
+      render_row(),   view_row(),    explain_row(), trace_row(),  scene_row(),
+      verify_row(),   capture_row(), shake_row(),   delays_row(), signoff_row(),
+      verilate_row(), units_row(),   knobs_row(),   sweep_row(),  report_row(),
+      compare_row(),  claims_row(),  bench_row(),   doctor_row(),
   };
   return table;
 }

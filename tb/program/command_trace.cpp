@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "sc/swap/channel_delays.h"
 #include "sc/swap/channel_stalls.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
@@ -133,6 +134,9 @@ int command_trace(const TraceOptions& options) {
     check_picture_clocks(window->to.ordinal(raster) - window->from.ordinal(raster) + 1);
   if (options.transactions() && !options.shake.empty())
     throw UsageError("--shake stalls wires of --level signal; leave out --level tlm, or --shake");
+  if (options.transactions() && !options.delays.empty())
+    throw UsageError(
+        "--delays puts registers into wires of --level signal; leave out --level tlm, or --delays");
   if (options.transactions()) expect_rooms(run.show, "trace --level tlm");
   if (options.transactions())
     return writer.write_frames(
@@ -142,11 +146,14 @@ int command_trace(const TraceOptions& options) {
         },
         raster, clock_period_ps(run.show.engine().video(run.k).clocks_per_pixel), *window);
 
-  use_units(run, options.units, true, options.shake.empty());
+  const auto delay_plan = delay_plan_of(run.show.engine(), options);
+  use_units(run, options.units, true, options.shake.empty() && !delay_plan);
   leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   if (options.awaits_mismatch() && !compares(run.units))
     throw UsageError("--around mismatch compares nothing; add --use UNIT=lockstep");
+  check_delays(run.show.engine(), options, options, options.units, run.units);
   const planned_stalls stalls(stall_plan_of(run.show.engine(), options));
+  const planned_delays delays(delay_plan);
   WiredBench bench(setting_of(run));
   if (!window) return watch(options, reader, bench, raster, writer);
   TraceRun traced(bench, raster, window->from.frame);
@@ -209,6 +216,7 @@ void add_options(const CommandOptions& command, TraceOptions& options) {
   add_tt_options(command, options);
   add_run_options(command, options);
   add_shake_options(command, options);
+  add_delay_options(command, options);
   list("--use", options.units, "UNIT=IMPLEMENTATION",
        "Put RTL in a unit's place, as in render; its own signals are shown too; repeatable");
   command.add_option("--diff", options.diff, "Instead of a scene: compare two files")

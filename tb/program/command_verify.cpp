@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "sc/swap/channel_delays.h"
 #include "sc/swap/channel_stalls.h"
 #include "tb/base/console.h"
 #include "tb/base/errors.h"
@@ -89,8 +90,9 @@ std::string closer_text(const VerifyOptions& options, const std::string& unit,
                         const std::string& from) {
   const std::string word = word_of(options, unit), file = word.substr(unit.size());
   const std::string use = unit + "=lockstep" + (file.empty() ? "" : ":" + file.substr(1));
-  return trace_command(options.scene, from, unit,
-                       " --use " + use + options.set_text() + options.text());
+  return trace_command(
+      options.scene, from, unit,
+      " --use " + use + options.set_text() + options.text() + options.delays_text());
 }
 
 /// All units at once, in the chip, over frames spread over the show, until each has differed or
@@ -101,6 +103,7 @@ std::vector<UnitVerdict> verify_in_chip(const VerifyOptions& options, const Show
   WiredBench::Watches watches;
   watches.outlive_faults = true;
   const planned_stalls stalls(stall_plan_of(show.engine(), options));
+  const planned_delays delays(delay_plan_of(show.engine(), options));
   WiredBench bench({show.engine(), k, show.tables(), show.frames(), choices}, watches);
   const Raster raster = raster_of(show.engine(), k);
   std::vector<int> frames;
@@ -310,6 +313,10 @@ Run plan_verify(const VerifyOptions& options) {
   leave_out_whole_chip(run.show.engine(), options, options.units, run.units);
   if (!options.shake.empty() && frames == 0)
     throw UsageError("--shake stalls the chip's own traffic; leave out --frames 0, or --shake");
+  if (!options.delays.empty() && frames == 0)
+    throw UsageError("--delays delays the chip's own traffic; leave out --frames 0, or --delays");
+  delay_plan_of(run.show.engine(), options);
+  check_delays(run.show.engine(), options, options, options.units, run.units);
   try_folder(options.folder);  // a difference may be found after an hour
   return run;
 }
@@ -372,6 +379,7 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
       .capture_default_str();
   add_run_options(command, options);
   add_shake_options(command, options);
+  add_delay_options(command, options);
   add_number(command, "--seed", options.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
       .capture_default_str();

@@ -10,11 +10,12 @@
 #include "tb/program/command.h"
 #include "tb/show/run.h"
 #include "tb/twin/channels.h"
+#include "tb/twin/delays.h"
 
 namespace racebeam {
 
 /// `units`: UNIT, UNIT=FILE or all; none: all.
-struct VerifyOptions : RunOptions, ShakeOptions {
+struct VerifyOptions : RunOptions, ShakeOptions, DelayOptions {
   VerifyOptions() { scene = "demo"; }
 
   /// Of the scene, evenly spread; 0: no chip traffic; UsualFrames: 60, or 2 whole pictures of an

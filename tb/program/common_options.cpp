@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "tb/base/errors.h"
+#include "tb/render/frame_plan.h"
 #include "tb/scene/engines.h"
 
 namespace racebeam {
@@ -42,6 +46,15 @@ void add_shake_options(const CommandOptions& command, ShakeOptions& options) {
       .repeatable();
 }
 
+void add_delay_options(const CommandOptions& command, DelayOptions& options) {
+  command
+      .add_option("--delays", options.delays,
+                  "Put registers into the channels between units, as this file says; `racebeam "
+                  "delays new` writes it")
+      .type_name("F.toml")
+      .check(not_empty);
+}
+
 void add_tt_options(const CommandOptions& command, TtOptions& options) {
   command
       .add_option("--tt", options.project,
@@ -74,6 +87,23 @@ void add_tt_options(const CommandOptions& command, TtOptions& options) {
                   "writes them: frame,line,clock,ui,uio")
       .type_name("FILE.csv")
       .check(not_empty);
+}
+
+std::vector<int> spread_numbers(const std::string& at, long long frames, const Show& show) {
+  std::vector<int> numbers;
+  if (!at.empty()) {
+    const FramePlan plan(at, show.frames());
+    for (int n = 0; n < plan.count(); ++n) numbers.push_back(plan.number(n));
+    return numbers;
+  }
+  const int usual = show.engine().races_beam ? 3 : 1;
+  const long long count = frames ? frames : std::min(usual, show.frames());
+  if (count < 1 || count > show.frames())
+    throw UsageError(
+        fmt::format("--frames {} is out of range; the scene has {}", count, show.frames()));
+  for (long long n = 0; n < count; ++n)
+    numbers.push_back(static_cast<int>(n * show.frames() / count));
+  return numbers;
 }
 
 }  // namespace racebeam

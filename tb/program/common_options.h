@@ -9,6 +9,7 @@
 #include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
 #include "tb/twin/channels.h"
+#include "tb/twin/delays.h"
 
 namespace racebeam {
 
@@ -31,8 +32,14 @@ void add_set_option(const CommandOptions& command, RunOptions& options);
 
 /// --shake and --stall, of a command that runs the wired chip.
 void add_shake_options(const CommandOptions& command, ShakeOptions& options);
+/// --delays, of the same.
+void add_delay_options(const CommandOptions& command, DelayOptions& options);
 /// The options of a Tiny Tapeout chip, of a command that can run one.
 void add_tt_options(const CommandOptions& command, TtOptions& options);
+
+/// Frames or pictures: those of --at, or so many, spread over the show; 0: 3, or 1 of an engine
+/// that does not race the beam. Throws UsageError.
+std::vector<int> spread_numbers(const std::string& at, long long frames, const Show& show);
 
 /// Refuses an empty name.
 std::string not_empty(const std::string& word);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sc/swap/channel_delays.h"
 #include "sc/swap/channel_stalls.h"
 #include "tb/bench/benches.h"
 #include "tb/judge/goldens.h"
@@ -18,6 +19,7 @@ namespace {
 std::unique_ptr<ChipBench> make_bench(const RenderPlan& plan, bool sound) {
   const engine& built = plan.show.engine();
   const planned_stalls stalls(plan.stalls);
+  const planned_delays delays(plan.delays);
   return bench_of(built).make(plan.level,
                               {built, plan.k, plan.show.tables(), plan.show.frames(), plan.units},
                               {plan.checksums(), sound, !plan.overlays.empty() || plan.hits});

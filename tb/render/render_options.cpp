@@ -152,6 +152,17 @@ void check_show(const RenderOptions& options, RenderPlan& plan) {
     throw UsageError("--show hits has one golden map: --golden geometry");
 }
 
+// What wires are needed for.
+void check_delays(const RenderOptions& options, RenderPlan& plan) {
+  if (options.delays.empty()) return;
+  if (plan.tracer) throw UsageError("--delays needs the chip; leave out --golden, or --delays");
+  if (plan.level != LevelSignal)
+    throw UsageError(
+        "--delays puts registers into wires of --level signal; tlm has none: leave out --level "
+        "tlm, or --delays");
+  check_delays(plan.show.engine(), options, options, options.units, plan.units);
+}
+
 // What stalls need.
 void check_stalls(const RenderPlan& plan) {
   if (!plan.stalls) return;
@@ -266,7 +277,8 @@ RenderPlan plan_render(const RenderOptions& options) {
   if (options.scene.empty())
     throw UsageError("scene is required, or --tt; `racebeam render --help` shows what it takes");
   refuse_tt_options(options);
-  const Run run = open_run(options, !options.vcd.empty() || !options.shake.empty());
+  const Run run =
+      open_run(options, !options.vcd.empty() || !options.shake.empty() || !options.delays.empty());
   if (run.level == LevelTlm && !options.vcd.empty())
     throw UsageError(
         "--vcd shows the wires of --level signal; leave out --level tlm, or see `racebeam trace "
@@ -274,11 +286,13 @@ RenderPlan plan_render(const RenderOptions& options) {
   RenderPlan plan{run, plan_output(options, run.show.frames()), tracer_of(options.golden),
                   options.golden == Compare};
   plan.stalls = stall_plan_of(run.show.engine(), options);
+  plan.delays = delay_plan_of(run.show.engine(), options);
   check_stalls(plan);
   tell_of_wrap(plan);
   if (plan.tracer) plan.level = "golden " + options.golden;
-  use_units(plan, options.units, false, options.shake.empty());
+  use_units(plan, options.units, false, options.shake.empty() && options.delays.empty());
   leave_out_whole_chip(plan.show.engine(), options, options.units, plan.units);
+  check_delays(options, plan);
   plan.unit_files = unit_files(plan.units, options.units);
   if (plan.tracer && !plan.units.by_unit.empty())
     throw UsageError("--use needs the chip; leave out --golden, or --use");

@@ -17,6 +17,7 @@
 #include "tb/show/run.h"
 #include "tb/tt/tt_options.h"
 #include "tb/twin/channels.h"
+#include "tb/twin/delays.h"
 #include "tb/view/frame_maps.h"
 
 namespace racebeam {
@@ -27,7 +28,7 @@ constexpr const char* Compare = "compare";
 constexpr const char *ShowPicture = "picture", *ShowHits = "hits";
 
 /// The command line as it was written. An empty path: not asked for.
-struct RenderOptions : RunOptions, TtOptions, ShakeOptions {
+struct RenderOptions : RunOptions, TtOptions, ShakeOptions, DelayOptions {
   long long frames = 1, first = 0, every = 1, gif_scale = 1, jobs = 1;
   std::string at;      ///< a list of frames instead
   std::string folder;  ///< or one picture
@@ -75,6 +76,7 @@ struct RenderPlan : Run, OutputPlan {
   bool compare;                                      ///< the chip with the golden tracers
   bool hits = false;                                 ///< hit maps instead of pictures
   std::shared_ptr<const stall_plan> stalls{};        ///< of channels between units, or nothing
+  std::shared_ptr<const delay_plan> delays{};        ///< the same
   std::map<std::string, ManifestUnit> unit_files{};  ///< what the units are made of
 
   /// What it is about.

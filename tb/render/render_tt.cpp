@@ -34,6 +34,7 @@ void refuse_scene_options(const RenderOptions& options) {
   refuse_with_tt(!options.assignments.empty(), "--set, or --tt");
   refuse_with_tt(!options.units.empty(), "--use, or --tt");
   refuse_with_tt(!options.text().empty(), "--shake and --stall, or --tt");
+  refuse_with_tt(!options.delays.empty(), "--delays, or --tt");
   refuse_with_tt(!options.golden.empty(), "--golden, or --tt");
   refuse_with_tt(!options.level.empty(), "--level, or --tt");
   refuse_with_tt(!options.at.empty(), "--at: it runs on from its reset");

@@ -14,6 +14,7 @@
 #include "tb/trace/trace_window.h"
 #include "tb/tt/tt_options.h"
 #include "tb/twin/channels.h"
+#include "tb/twin/delays.h"
 
 namespace racebeam {
 
@@ -22,7 +23,7 @@ constexpr const char* Mismatch = "mismatch";
 
 /// The command line as it was written.
 /// `scene` may also be a waveform to draw; level tlm: transactions.
-struct TraceOptions : RunOptions, TtOptions, ShakeOptions {
+struct TraceOptions : RunOptions, TtOptions, ShakeOptions, DelayOptions {
   TraceOptions() { level = LevelSignal; }
 
   std::string output, from, to;

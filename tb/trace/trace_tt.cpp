@@ -24,6 +24,7 @@ void refuse_scene_options(const TraceOptions& options) {
   refuse_with_tt(!options.assignments.empty(), "--set, or --tt");
   refuse_with_tt(!options.units.empty(), "--use, or --tt");
   refuse_with_tt(!options.text().empty(), "--shake and --stall, or --tt");
+  refuse_with_tt(!options.delays.empty(), "--delays, or --tt");
   refuse_with_tt(options.transactions(), "--level tlm, or --tt");
   refuse_with_tt(!options.around.empty(),
                  "--around, which looks into the model; --when looks at the chip's signals");

@@ -1,5 +1,5 @@
 // The handshakes between the units of each engine's chip, in one table: which may stall and, of
-// those that may not, why.
+// those that may not, why; and which may have registers in them.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sc/base/delay_plan.h"
 #include "sc/base/engine.h"
 #include "sc/base/stall_plan.h"
 
@@ -32,8 +33,13 @@ struct ChannelRow {
   /// Empty: it may not stall.
   std::vector<stall_plan::port> ports{};
   const char* unless = "";  ///< as stall_plan has it
+  /// No valid: no registers may be put into it, as it says here or, if nothing, in `why`.
+  delay_plan::place delay{};
+  const char* delay_why = "";  ///< what registers mean there; or why there may be none
 
   bool may_stall() const { return !ports.empty(); }
+  bool may_delay() const { return !delay.valid.empty(); }
+  std::string why_delay() const { return *delay_why ? delay_why : why; }
 };
 
 /// Of an engine, those of its frame store last.
