@@ -244,8 +244,8 @@ void add_options(const CommandOptions& command, Options& options) {
              is_number_in("--seed", 0, LargestSeed))
       .capture_default_str();
   add_number(command, "--prove", signoff.proof_seconds,
-             "Seconds for the proof of each mutant that is not found",
-             is_number_in("--prove", 1, MostProofSeconds))
+             "Seconds for the proof of each mutant that is not found; 0: none",
+             is_number_in("--prove", 0, MostProofSeconds))
       .capture_default_str();
   add_number(command, "--jobs", signoff.jobs, "Processes at once; default: the cores",
              is_number_in("--jobs", 1, MostJobs));

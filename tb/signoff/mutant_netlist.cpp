@@ -107,17 +107,6 @@ std::vector<Mutant> read_mutants(const std::string& list) {
   return mutants;
 }
 
-/// All of them in the unit, each chosen by its number.
-std::string choosing_commands(const std::vector<Mutant>& mutants) {
-  int bits = 1;
-  while ((mutants.size() >> bits) != 0) ++bits;
-  std::string text;
-  for (const Mutant& mutant : mutants)
-    text += fmt::format("mutate -ctrl {} {} {}{}\n", MutantInput, bits, mutant.number,
-                        mutant.command.substr(std::string("mutate").size()));
-  return text;
-}
-
 nlohmann::ordered_json to_json(const MutantNetlist& netlist) {
   nlohmann::ordered_json lines = nlohmann::ordered_json::array();
   for (const Mutant& mutant : netlist.mutants) lines.push_back(mutant.command);
@@ -140,7 +129,8 @@ MutantNetlist make(const RtlSources& sources, int most, unsigned seed) {
   MutantNetlist netlist;
   netlist.mutants = read_mutants(whole_file(work.file("mutants")));
   netlist.rtlil = whole_file(work.file("plain.il"));
-  run_yosys("read_rtlil plain.il\n" + choosing_commands(netlist.mutants) + "opt_clean\n" +
+  run_yosys("read_rtlil plain.il\n" +
+                choosing_commands(netlist.mutants, mutant_bits(netlist.mutants)) + "opt_clean\n" +
                 Splitting + "\nwrite_verilog -noattr mutants.v\n",
             work.path(), sources.top);
   netlist.verilog = whole_file(work.file("mutants.v")) + OutputBit;
@@ -157,6 +147,21 @@ void link_sources(const RtlSources& sources, const std::string& folder) {
   const std::vector<std::string> names = link_names(sources.files);
   for (std::size_t n = 0; n < names.size(); ++n)
     fs::create_symlink(fs::absolute(sources.files[n]), folder + "/" + names[n]);
+}
+
+int mutant_bits(const std::vector<Mutant>& mutants) {
+  int bits = 1;
+  for (const Mutant& mutant : mutants)
+    while ((mutant.number >> bits) != 0) ++bits;
+  return bits;
+}
+
+std::string choosing_commands(const std::vector<Mutant>& mutants, int bits) {
+  std::string text;
+  for (const Mutant& mutant : mutants)
+    text += fmt::format("mutate -ctrl {} {} {}{}\n", MutantInput, bits, mutant.number,
+                        mutant.command.substr(std::string("mutate").size()));
+  return text;
 }
 
 std::string reading_commands(const RtlSources& sources) {

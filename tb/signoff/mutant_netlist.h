@@ -33,6 +33,11 @@ struct MutantNetlist {
 /// made before is in the cache. Throws RtlError with what yosys says, MissingTool, Interrupted.
 MutantNetlist mutant_netlist(const RtlSources& sources, int most, unsigned seed);
 
+/// How wide MutantInput has to be.
+int mutant_bits(const std::vector<Mutant>& mutants);
+/// Commands of yosys that put all of them into the unit, each chosen by its number.
+std::string choosing_commands(const std::vector<Mutant>& mutants, int bits);
+
 /// How yosys reads a unit: the commands up to a flat netlist of words. They work in a folder that
 /// link_sources() has filled.
 std::string reading_commands(const RtlSources& sources);

@@ -14,8 +14,10 @@
 #include "sc/base/unit.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
+#include "tb/base/output_file.h"
 #include "tb/base/reset_value.h"
 #include "tb/base/whole_file.h"
+#include "tb/signoff/aiger.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/run_tool.h"
 
@@ -28,7 +30,6 @@ constexpr int Samples = 4096;   // of wider ones
 constexpr const char* Miter = "racebeam_miter";
 
 using Raw = std::uint64_t;
-using Inputs = std::vector<std::vector<std::uint64_t>>;
 
 Raw formed(const LegalInputs& legal, const PortTraffic::Port& port, Raw raw) {
   return raw_bits(legal.of(port.name, raw_bits(raw, port.bits)), port.bits);
@@ -78,10 +79,21 @@ std::string clock_of(const std::string& rtlil) {
 
 std::string range(int bits) { return bits > 1 ? fmt::format("[{}:0] ", bits - 1) : ""; }
 
+std::string miter_commands(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
+  return fmt::format(
+      "read_rtlil plain.il\nrename {0} was_unit\nread_rtlil plain.il\n{1}rename {0} is_unit\n"
+      "read_verilog -sv miter.v\nhierarchy -top {2}\nproc\nflatten\nmemory\nopt -fast\n"
+      "dffunmap\ntechmap\nopt -fast -nodffe -nosdff\nsetundef -undriven -init -zero\naigmap\n"
+      "opt_clean\nwrite_aiger -zinit -map miter.map miter.aig\n",
+      proof.ports.unit, choosing_commands(mutants, mutant_bits(proof.netlist.mutants)), Miter);
+}
+
 /// Both in one module, whose output is 1 when they differ.
-std::string miter(const ProofOfMutants& proof) {
+std::string miter_of(const ProofOfMutants& proof) {
   const std::string clock = clock_of(proof.netlist.rtlil);
-  std::string inputs, resets, outputs, legal = "1", differ = "0";
+  std::string resets, outputs, legal = "1", differ = "0";
+  std::string inputs =
+      fmt::format(", input {}{}", range(mutant_bits(proof.netlist.mutants)), MutantInput);
   for (const PortTraffic::Port& port : proof.ports.ports) {
     if (!port.input) {
       outputs += fmt::format("  wire {0}was_{1}, is_{1};\n", range(port.bits), port.name);
@@ -97,6 +109,7 @@ std::string miter(const ProofOfMutants& proof) {
   const auto instance = [&](const std::string& module, const std::string& side) {
     std::string text = fmt::format("  {} u_{} (", module, side), comma;
     if (!clock.empty()) text += fmt::format(".{}(clk)", clock), comma = ", ";
+    if (side == "is") text += fmt::format("{0}.{1}({1})", comma, MutantInput), comma = ", ";
     for (const PortTraffic::Port& port : proof.ports.ports) {
       const std::string wire = !port.input                   ? side + "_" + port.name
                                : reset_value(port.name) >= 0 ? "after_" + port.name
@@ -117,69 +130,7 @@ std::string miter(const ProofOfMutants& proof) {
          fmt::format("  assign differs = started && kept && legal && ({});\nendmodule\n", differ);
 }
 
-std::string miter_commands(const std::string& unit, const Mutant& mutant) {
-  return fmt::format(
-      "read_rtlil plain.il\nrename {0} was_unit\nread_rtlil plain.il\n{1}\nrename {0} is_unit\n"
-      "read_verilog -sv miter.v\nhierarchy -top {2}\nproc\nflatten\nmemory\nopt -fast\n"
-      "dffunmap\ntechmap\nopt -fast -nodffe -nosdff\nsetundef -undriven -init -zero\naigmap\n"
-      "opt_clean\nwrite_aiger -zinit -map miter.map miter.aig\n",
-      unit, mutant.command, Miter);
-}
-
-/// Which bit of which input of the ports each input of the AIGER file is.
-struct InputBit {
-  std::size_t input = 0;
-  int bit = -1;  // -1: none of them
-};
-
-std::vector<InputBit> read_map(const std::string& text, const PortTraffic& ports) {
-  std::map<std::string, std::size_t> numbers;
-  for (const PortTraffic::Port& port : ports.ports)
-    if (port.input) numbers.emplace(port.name, numbers.size());
-  std::vector<InputBit> bits;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string kind, name;
-    std::size_t at;
-    int bit;
-    if (!(words >> kind >> at >> bit >> name) || kind != "input") continue;
-    bits.resize(std::max(bits.size(), at + 1));
-    if (const auto found = numbers.find(name); found != numbers.end())
-      bits[at] = {found->second, bit};
-  }
-  return bits;
-}
-
-/// A counterexample as abc writes it: the registers, then a row of bits for each clock.
-Inputs read_counterexample(const std::string& text, const std::vector<InputBit>& bits,
-                           const PortTraffic& ports) {
-  const auto inputs = std::count_if(ports.ports.begin(), ports.ports.end(),
-                                    [](const PortTraffic::Port& port) { return port.input; });
-  Inputs rows;
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    line = line.substr(0, line.find('#'));
-    if (line.size() < bits.size() || line.find_first_not_of("01x") != std::string::npos) continue;
-    std::vector<std::uint64_t> row(static_cast<std::size_t>(inputs));
-    for (std::size_t n = 0; n < bits.size(); ++n)
-      if (bits[n].bit >= 0 && line[n] == '1') row[bits[n].input] |= Raw{1} << bits[n].bit;
-    rows.push_back(row);
-  }
-  std::size_t n = 0;  // the first clock is in reset, whatever the inputs say
-  if (!rows.empty())
-    for (const PortTraffic::Port& port : ports.ports) {
-      if (!port.input) continue;
-      if (const int value = reset_value(port.name); value >= 0)
-        rows.front()[n] = static_cast<Raw>(value);
-      ++n;
-    }
-  return rows;
-}
-
-bool is_legal(const ProofOfMutants& proof, const Inputs& rows) {
+bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<Raw>>& rows) {
   for (const auto& row : rows) {
     std::size_t n = 0;
     for (const PortTraffic::Port& port : proof.ports.ports) {
@@ -197,14 +148,90 @@ std::string legal_condition(const LegalInputs& legal, const PortTraffic::Port& p
   return port.bits <= Enumerated ? enumerated(legal, port) : narrowed(legal, port);
 }
 
-MutantProof prove(const ProofOfMutants& proof, const Mutant& mutant) {
+MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& numbers)
+    : proof_(proof), miter_(miter_of(proof)) {
   if (!has_tool("yosys-abc"))
     throw MissingTool("yosys-abc is not installed; it comes with the package yosys");
+  std::vector<Mutant> mutants;
+  for (const int number : numbers)
+    if (in_cache(key_of(number)).empty())
+      mutants.push_back(proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1));
+  if (mutants.empty() || proof.limit.count() == 0) return;
   const WorkFolder work;
   work.write("plain.il", proof.netlist.rtlil);
-  work.write("miter.v", miter(proof));
-  run_yosys(miter_commands(proof.ports.unit, mutant), work.path(), proof.ports.unit);
-  const double seconds = std::chrono::duration<double>(proof.limit).count();
+  work.write("miter.v", miter_);
+  run_yosys(miter_commands(proof, mutants), work.path(), proof.ports.unit);
+  circuit_ = whole_file(work.file("miter.aig"));
+  read_map(whole_file(work.file("miter.map")));
+}
+
+// The text of a netlist tells yosys's version.
+std::string MutantProofs::key_of(int number) const {
+  const Mutant& mutant = proof_.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
+  return content_key({proof_.netlist.rtlil, mutant.command, miter_}) + ".equal";
+}
+
+void MutantProofs::read_map(const std::string& text) {
+  std::map<std::string, std::size_t> numbers;
+  for (const PortTraffic::Port& port : proof_.ports.ports)
+    if (port.input) numbers.emplace(port.name, numbers.size());
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind, name;
+    std::size_t at;
+    int bit;
+    if (!(words >> kind >> at >> bit >> name) || kind != "input") continue;
+    bits_.resize(std::max(bits_.size(), at + 1));
+    if (const auto found = numbers.find(name); found != numbers.end())
+      bits_[at] = {found->second, bit};
+    if (name != MutantInput) continue;
+    choice_.resize(std::max(choice_.size(), static_cast<std::size_t>(bit) + 1));
+    choice_[static_cast<std::size_t>(bit)] = at;
+  }
+}
+
+std::string MutantProofs::circuit_of(int number) const {
+  std::map<std::size_t, bool> constants;
+  for (std::size_t bit = 0; bit < choice_.size(); ++bit)
+    constants[choice_[bit]] = ((number >> bit) & 1) != 0;
+  return with_constant_inputs(circuit_, constants);
+}
+
+// As abc writes it: the registers, then a row of bits for each clock.
+MutantProofs::Inputs MutantProofs::read_counterexample(const std::string& text) const {
+  const auto& ports = proof_.ports.ports;
+  const auto inputs = std::count_if(ports.begin(), ports.end(),
+                                    [](const PortTraffic::Port& port) { return port.input; });
+  Inputs rows;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    line = line.substr(0, line.find('#'));
+    if (line.size() < bits_.size() || line.find_first_not_of("01x") != std::string::npos) continue;
+    std::vector<std::uint64_t> row(static_cast<std::size_t>(inputs));
+    for (std::size_t n = 0; n < bits_.size(); ++n)
+      if (bits_[n].bit >= 0 && line[n] == '1') row[bits_[n].input] |= Raw{1} << bits_[n].bit;
+    rows.push_back(row);
+  }
+  std::size_t n = 0;  // the first clock is in reset, whatever the inputs say
+  if (!rows.empty())
+    for (const PortTraffic::Port& port : ports) {
+      if (!port.input) continue;
+      if (const int value = reset_value(port.name); value >= 0)
+        rows.front()[n] = static_cast<Raw>(value);
+      ++n;
+    }
+  return rows;
+}
+
+MutantProof MutantProofs::prove(int number) const {
+  if (!in_cache(key_of(number)).empty()) return {MutantProof::Equal, {}, ""};
+  if (circuit_.empty()) return {MutantProof::Undecided, {}, "no proof was asked for"};
+  const WorkFolder work;
+  work.write("miter.aig", circuit_of(number));
+  const double seconds = std::chrono::duration<double>(proof_.limit).count();
   // Where pdr is at a loss, a bounded search may still find a difference.
   ToolResult result{};
   const auto ask = [&](const std::string& how, double share) {
@@ -215,7 +242,7 @@ MutantProof prove(const ProofOfMutants& proof, const Mutant& mutant) {
                       work.path(),
                       {},
                       {}};
-    run_tools({run}, 1, proof.limit + std::chrono::seconds(1),
+    run_tools({run}, 1, proof_.limit + std::chrono::seconds(1),
               [&](std::size_t, const ToolResult& end) { result = end; });
     return result.said.find("Status = 1") != std::string::npos ||
            result.said.find("Status = 0") != std::string::npos;
@@ -226,12 +253,13 @@ MutantProof prove(const ProofOfMutants& proof, const Mutant& mutant) {
             fmt::format("yosys-abc neither proved it equal nor found a difference within {:g} "
                         "seconds",
                         seconds)};
-  if (result.said.find("Status = 1") != std::string::npos) return {MutantProof::Equal, {}, ""};
-  const Inputs rows =
-      read_counterexample(whole_file(work.file("counterexample")),
-                          read_map(whole_file(work.file("miter.map")), proof.ports), proof.ports);
+  if (result.said.find("Status = 1") != std::string::npos) {
+    cached(key_of(number), [&](const std::string& out) { write_text(out, result.said); });
+    return {MutantProof::Equal, {}, ""};
+  }
+  const Inputs rows = read_counterexample(whole_file(work.file("counterexample")));
   if (rows.empty()) throw RtlError("yosys-abc has written no counterexample:\n" + result.said);
-  if (!is_legal(proof, rows))
+  if (!is_legal(proof_, rows))
     return {MutantProof::Undecided, rows,
             "it differs on inputs only that a chip does not have, as far as yosys-abc can tell"};
   return {MutantProof::Counterexample, rows, ""};

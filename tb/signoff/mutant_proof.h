@@ -8,6 +8,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -34,8 +35,33 @@ struct ProofOfMutants {
   std::chrono::milliseconds limit;  ///< for each mutant
 };
 
-/// Throws RtlError, MissingTool, Interrupted.
-MutantProof prove(const ProofOfMutants& proof, const Mutant& mutant);
+/// The proofs of some mutants: yosys makes one circuit with all of them, and yosys-abc is asked
+/// with one chosen. What was proved equal once is in the cache.
+class MutantProofs {
+ public:
+  /// Throws RtlError, MissingTool, Interrupted.
+  MutantProofs(const ProofOfMutants& proof, const std::vector<int>& numbers);
+  MutantProof prove(int number) const;
+
+ private:
+  /// Which bit of which input of the ports each input of the circuit is.
+  struct InputBit {
+    std::size_t input = 0;
+    int bit = -1;  // -1: none of them
+  };
+  using Inputs = std::vector<std::vector<std::uint64_t>>;
+
+  std::string key_of(int number) const;
+  void read_map(const std::string& text);
+  std::string circuit_of(int number) const;
+  Inputs read_counterexample(const std::string& text) const;
+
+  const ProofOfMutants proof_;
+  const std::string miter_;
+  std::string circuit_;
+  std::vector<InputBit> bits_;
+  std::vector<std::size_t> choice_;  // the inputs that choose a mutant, the lowest bit first
+};
 
 /// The condition that a value of an input is one that the chip can have, in Verilog; "" if all are.
 /// Values of wide inputs whose rule is neither a narrower number nor a signed one are all allowed.

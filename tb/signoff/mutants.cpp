@@ -56,12 +56,13 @@ class Survivors {
 
   void decide(const std::vector<int>& numbers,
               const std::function<void(const MutantFate&)>& take) const {
+    const MutantProofs proofs(proof_, numbers);
     share_work(
         options_.jobs,
         [&](int share, const SayLine& say) {
           for (std::size_t n = 0; n < numbers.size() && !interrupted(); ++n)
             if (static_cast<int>(n % static_cast<std::size_t>(options_.jobs)) == share)
-              say(line_of(fate_of_survivor(numbers[n])));
+              say(line_of(fate_of_survivor(numbers[n], proofs)));
         },
         [&](const std::string& line) { take(fate_of(line)); });
   }
@@ -76,9 +77,8 @@ class Survivors {
     return read_traffic(file);
   }
 
-  MutantFate fate_of_survivor(int number) const {
-    const Mutant& mutant = proof_.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
-    const MutantProof proof = prove(proof_, mutant);
+  MutantFate fate_of_survivor(int number, const MutantProofs& proofs) const {
+    const MutantProof proof = proofs.prove(number);
     switch (proof.verdict) {
       case MutantProof::Equal: return {number, MutantFate::Equal, "", 0, "", ""};
       case MutantProof::Counterexample: return replayed(number, proof.inputs);

@@ -90,7 +90,7 @@ std::vector<RecordedStream> record_stimulus(const UnitUnderTest& dut, std::uint6
   std::vector<RecordedStream> streams;
   if (random > 0)
     streams.push_back(recorded(
-        dut, "random", random,
+        dut, RandomStream, random,
         [&](UnitBench& bench) -> std::function<void()> {
           const auto traffic = std::make_shared<RandomTraffic>(bench, row.inputs(dut.k), seed);
           return [traffic] { traffic->next(); };

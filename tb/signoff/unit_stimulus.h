@@ -14,10 +14,13 @@
 
 namespace racebeam {
 
+/// The name of the stream of random traffic.
+constexpr const char* RandomStream = "random";
+
 /// A stream of traffic from power-up on, in files that grow from part to part: most mutants need
 /// only the first.
 struct RecordedStream {
-  std::string name;  ///< "random", "walk", or the name of a counterexample
+  std::string name;  ///< RandomStream, "walk", or the name of a counterexample
   std::vector<std::string> parts;
   std::uint64_t clocks = 0;
 };
