@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "sc/beam/chip_core.h"
+#include "sc/beam/chip_deposit.h"
 #include "sc/beam/counters.h"
 #include "sc/beam/knob_parameters.h"
 #include "sc/beam/units.h"
@@ -385,8 +386,6 @@ void chip::deposit(int to) {
   u_navigator->deposit(place.position_q, place.room_q);
 }
 
-// Of the whole chip in RTL x and y are stored without the six bits that a flight along z keeps, of
-// the room only its j.
 void chip::deposit_beside(const std::string& unit, rtl_instance& rtl, int to) const {
   const bool whole = unit == WholeChip;
   const std::string instance = whole ? "" : instance_of(unit);
@@ -394,11 +393,7 @@ void chip::deposit_beside(const std::string& unit, rtl_instance& rtl, int to) co
   if (!whole && instance != "u_navigator") return;
   const navigator_core place = fly_to(to, knobs_, program_);
   if (!whole) return rtl.place(place.position_q, place.room_q);
-  rtl.deposit("u_sequencer.frame_q", to);
-  rtl.deposit("u_navigator.g_along_z.position_x_q", place.position_q[0] >> 6);
-  rtl.deposit("u_navigator.g_along_z.position_y_q", place.position_q[1] >> 6);
-  rtl.deposit("u_navigator.g_along_z.position_z_q", place.position_q[2]);
-  rtl.deposit("u_navigator.g_along_z.room_j_q", place.room_q >> 4);
+  for (const auto& [signal, value] : chip_deposits(to, place)) rtl.deposit(signal, value);
 }
 
 }  // namespace racebeam

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sc/beam/chip_deposit.h"
+#include "sc/beam/units.h"
 #include "tb/monitor/raster.h"
 
 namespace racebeam {
@@ -20,27 +22,29 @@ std::uint64_t clocks_of(const knobs& k, int frames) {
 
 }  // namespace
 
-BeamCoreTraffic::BeamCoreTraffic(TrafficHead head, const knobs& k, const scene_program* program,
-                                 int first, int frames)
-    : head_(std::move(head)),
+BeamCorePass::BeamCorePass(std::vector<TrafficHead> heads, const knobs& k,
+                           const scene_program* program, int first, int frames)
+    : heads_(std::move(heads)),
       knobs_(k),
       program_(program),
       first_(first),
       frames_(frames),
       clocks_(clocks_of(k, frames)),
-      core_(program) {
-  for (const PortTraffic::Port& port : head_.ports)
-    ports_.emplace_back(&wires_.at(port.name), raw_bits(~std::uint64_t{0}, port.bits));
-  last_.resize(ports_.size());
+      core_(program),
+      units_(heads_.size()) {
+  for (std::size_t unit = 0; unit < heads_.size(); ++unit)
+    for (const PortTraffic::Port& port : heads_[unit].ports)
+      units_[unit].ports.emplace_back(&wires_.at(port.name),
+                                      raw_bits(~std::uint64_t{0}, port.bits));
 }
 
-void BeamCoreTraffic::rewind() {
+void BeamCorePass::rewind() {
   core_ = chip_core(program_);
   done_ = 0;
   sought_ = false;
 }
 
-std::vector<TrafficMark> BeamCoreTraffic::marks() const {
+std::vector<TrafficMark> BeamCorePass::marks() const {
   const std::uint64_t frame_clocks = clocks_of(knobs_, 1) - 1;
   std::vector<TrafficMark> all;
   for (int n = 0; n < frames_; ++n)
@@ -48,35 +52,33 @@ std::vector<TrafficMark> BeamCoreTraffic::marks() const {
   return all;
 }
 
-std::size_t BeamCoreTraffic::port(const char* name) const {
-  for (std::size_t n = 0; n < head_.ports.size(); ++n)
-    if (head_.ports[n].name == name) return n;
-  throw std::out_of_range(head_.unit + " has no port " + name);
+std::size_t BeamCorePass::port(std::size_t unit, const char* name) const {
+  const TrafficHead& head = heads_[unit];
+  for (std::size_t n = 0; n < head.ports.size(); ++n)
+    if (head.ports[n].name == name) return n;
+  throw std::out_of_range(head.unit + " has no port " + name);
 }
 
-void BeamCoreTraffic::clock(bool rst_n, std::uint64_t* row) {
-  clock_wires(core_, rst_n, knobs_, wires_);
-  for (const auto& [wire, bits] : ports_)
-    *row++ = static_cast<std::uint64_t>(static_cast<std::int64_t>(*wire)) & bits;
-}
-
-// What rtl_instance::seek() and place() do to RTL, as private clocks.
-void BeamCoreTraffic::seek(TrafficBlock& block) {
-  const auto put = [&](std::vector<std::uint64_t>& row, const char* name, int value) {
-    const std::size_t n = port(name);
-    row[n] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value)) & ports_[n].second;
+// What rtl_instance::seek() and place() do to RTL, as private clocks; of the whole chip what
+// chip::deposit_beside() does to its registers.
+void BeamCorePass::seek(std::size_t unit, TrafficBlock& block) {
+  const std::string& name = heads_[unit].unit;
+  const auto put = [&](std::vector<std::uint64_t>& row, const char* port_name, int value) {
+    const std::size_t n = port(unit, port_name);
+    row[n] =
+        static_cast<std::uint64_t>(static_cast<std::int64_t>(value)) & units_[unit].ports[n].second;
   };
   const auto add = [&](const std::vector<std::uint64_t>& row) {
     block.values.insert(block.values.end(), row.begin(), row.end());
   };
-  std::vector<std::uint64_t> row = last_;
-  if (head_.unit == "sequencer" || head_.unit == "timeline") {
+  std::vector<std::uint64_t> row = units_[unit].last;
+  if (name == "sequencer" || name == "timeline") {
     put(row, "rst_ni", 0);
     add(row);
     put(row, "rst_ni", 1);
     put(row, "frame_end_i", 1);
     for (int frame = 0; frame < first_; ++frame) add(row);
-  } else if (head_.unit == "navigator") {
+  } else if (name == "navigator") {
     put(row, "rst_ni", 1);
     put(row, "nav_reset_i", 1);
     put(row, "start_x_i", core_.navigator.position_q[0]);
@@ -84,28 +86,47 @@ void BeamCoreTraffic::seek(TrafficBlock& block) {
     put(row, "start_z_i", core_.navigator.position_q[2]);
     put(row, "start_room_i", core_.navigator.room_q);
     add(row);
+  } else if (name == WholeChip) {
+    block.deposits = chip_deposits(first_, core_.navigator);
   }
 }
 
-bool BeamCoreTraffic::next(TrafficBlock& block) {
-  block.first = done_;
-  block.is_private = false;
-  block.values.clear();
-  if (done_ == 1 && !sought_ && first_ != 0) {  // in the first clock of a frame
+bool BeamCorePass::next(std::vector<TrafficBlock>& blocks) {
+  blocks.resize(units_.size());
+  const bool seeks = done_ == 1 && !sought_ && first_ != 0;  // in the first clock of a frame
+  const std::uint64_t some = done_ == 0 ? 1 : std::min(BlockClocks, clocks_ - done_);
+  for (std::size_t unit = 0; unit < units_.size(); ++unit) {
+    blocks[unit].first = done_;
+    blocks[unit].is_private = seeks;
+    blocks[unit].deposits.clear();
+    blocks[unit].values.resize(seeks ? 0 : some * units_[unit].ports.size());  // not made 0 again
+  }
+  if (seeks) {
     sought_ = true;
     core_.deposit(first_, knobs_);
-    seek(block);
-    block.is_private = true;
-    if (!block.values.empty()) return true;
-    block.is_private = false;
+    for (std::size_t unit = 0; unit < units_.size(); ++unit) seek(unit, blocks[unit]);
+    return true;
   }
-  const std::uint64_t some = done_ == 0 ? 1 : std::min(BlockClocks, clocks_ - done_);
-  block.values.resize(some * ports_.size());
-  for (std::uint64_t n = 0; n < some; ++n)
-    clock(done_ > 0, block.values.data() + n * ports_.size());
+  for (std::uint64_t n = 0; n < some; ++n) {
+    clock_wires(core_, done_ + n > 0, knobs_, wires_);
+    for (std::size_t unit = 0; unit < units_.size(); ++unit) {
+      const auto& ports = units_[unit].ports;
+      std::uint64_t* row = blocks[unit].values.data() + n * ports.size();
+      for (const auto& [wire, bits] : ports)
+        *row++ = static_cast<std::uint64_t>(static_cast<std::int64_t>(*wire)) & bits;
+    }
+  }
   done_ += some;
-  if (done_ == 1) last_ = block.values;
+  if (done_ == 1)
+    for (std::size_t unit = 0; unit < units_.size(); ++unit)
+      units_[unit].last = blocks[unit].values;
   return some > 0;
+}
+
+bool BeamCoreTraffic::next(TrafficBlock& block) {
+  const bool more = pass_.next(blocks_);
+  if (more) std::swap(block, blocks_.front());
+  return more;
 }
 
 }  // namespace racebeam

@@ -1,5 +1,6 @@
-// The traffic of a unit of the beam's chip over consecutive frames, made by the cores: the same as
-// record_chip_traffic() hears in the wired chip, some ten times as fast.
+// The traffic of units of the beam's chip over consecutive frames, made by the cores in one pass
+// for all of them: the same as record_chip_traffic() hears in the wired chip, some ten times as
+// fast.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -15,34 +16,59 @@
 
 namespace racebeam {
 
-class BeamCoreTraffic : public TrafficSource {
+/// The cores of the chip, and what the ports of units have.
+class BeamCorePass {
  public:
-  /// `program`: nullptr for the built-in demo; outlives it.
-  BeamCoreTraffic(TrafficHead head, const knobs& k, const scene_program* program, int first,
-                  int frames);
+  /// A head for each unit, the whole chip too; `program`: nullptr for the built-in demo; outlives
+  /// it.
+  BeamCorePass(std::vector<TrafficHead> heads, const knobs& k, const scene_program* program,
+               int first, int frames);
 
-  const TrafficHead& head() const override { return head_; }
-  bool next(TrafficBlock& block) override;
-  void rewind() override;
-  std::vector<TrafficMark> marks() const override;
-  std::uint64_t clocks() const override { return clocks_; }
+  const std::vector<TrafficHead>& heads() const { return heads_; }
+  /// The next block of each unit; one may be empty. False: there is none.
+  bool next(std::vector<TrafficBlock>& blocks);
+  void rewind();
+  std::vector<TrafficMark> marks() const;
+  std::uint64_t clocks() const { return clocks_; }
 
  private:
-  void seek(TrafficBlock& block);
-  std::size_t port(const char* name) const;
-  void clock(bool rst_n, std::uint64_t* row);
+  /// Where the ports of a unit are.
+  struct Unit {
+    std::vector<std::pair<const int*, std::uint64_t>> ports;  // wire, and bits that count
+    std::vector<std::uint64_t> last;                          // in reset
+  };
+  void seek(std::size_t unit, TrafficBlock& block);
+  std::size_t port(std::size_t unit, const char* name) const;
 
-  const TrafficHead head_;
+  const std::vector<TrafficHead> heads_;
   const knobs knobs_;
   const scene_program* const program_;
   const int first_, frames_;
   const std::uint64_t clocks_;
   chip_core core_;
   chip_wires wires_{};
-  std::vector<std::pair<const int*, std::uint64_t>> ports_;  // wire, and bits that count
-  std::vector<std::uint64_t> last_;                          // the last clock
+  std::vector<Unit> units_;
   std::uint64_t done_ = 0;
   bool sought_ = false;
+};
+
+/// That of one unit.
+class BeamCoreTraffic : public TrafficSource {
+ public:
+  /// As of BeamCorePass.
+  BeamCoreTraffic(const TrafficHead& head, const knobs& k, const scene_program* program, int first,
+                  int frames)
+      : pass_({head}, k, program, first, frames) {}
+
+  const TrafficHead& head() const override { return pass_.heads().front(); }
+  bool next(TrafficBlock& block) override;
+  void rewind() override { pass_.rewind(); }
+  std::vector<TrafficMark> marks() const override { return pass_.marks(); }
+  std::uint64_t clocks() const override { return pass_.clocks(); }
+
+ private:
+  BeamCorePass pass_;
+  std::vector<TrafficBlock> blocks_;
 };
 
 }  // namespace racebeam

@@ -4,7 +4,6 @@
 
 #include <exception>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -19,14 +18,18 @@ namespace {
 
 constexpr int UnknownFrame = -1;
 
-/// A tap on a chip that is built after it: it begins with the edge in reset, which comes while the
-/// bench is made.
-class EarlyTap {
+using OpenSinks =
+    std::function<TrafficSink&(std::size_t unit, const std::vector<PortTraffic::Port>& ports)>;
+
+/// Taps on a chip that is built after them: they begin with the edge in reset, which comes while
+/// the bench is made.
+class EarlyTaps {
  public:
-  EarlyTap(const WiredBench::Setting& setting, std::string unit, OpenSink open)
-      : unit_(std::move(unit)),
-        path_(std::string("chip.") + setting.built.unit(unit_)->path()),
-        open_(std::move(open)) {
+  EarlyTaps(const WiredBench::Setting& setting, const std::vector<std::string>& units,
+            OpenSinks open)
+      : open_(std::move(open)) {
+    for (const std::string& unit : units)
+      taps_.push_back({unit, std::string("chip.") + setting.built.unit(unit)->path(), nullptr, {}});
     const sc_core::sc_time first(clock_period_ps(setting.built.video(setting.k).clocks_per_pixel),
                                  sc_core::SC_PS);
     sc_core::sc_spawn_options process;
@@ -38,39 +41,48 @@ class EarlyTap {
   void edge() {
     if (thrown_) return;
     try {
-      if (!tap_) put_on();
-      tap_->edge();
+      for (std::size_t n = 0; n < taps_.size(); ++n) {
+        if (!taps_[n].tap) put_on(n);
+        taps_[n].tap->edge();
+      }
     } catch (...) {
       thrown_ = std::current_exception();
     }
   }
   void begin(const wired_chip& chip, int frame, bool sought) {
     check();
-    if (sought) tap_->deposit([&](rtl_instance& rtl) { chip.deposit_beside(unit_, rtl, frame); });
-    sink_->mark(frame);
+    for (Tap& one : taps_) {
+      if (sought)
+        one.tap->deposit([&](rtl_instance& rtl) { chip.deposit_beside(one.unit, rtl, frame); });
+      one.sink->mark(frame);
+    }
   }
   void check() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
 
  private:
+  struct Tap {
+    std::string unit, path;
+    TrafficSink* sink;
+    std::unique_ptr<TrafficTap> tap;
+  };
   // Called at the start, and then as the clock rises: before anybody sees it.
   void first_edge(const sc_core::sc_time& at) {
     if (sc_core::sc_time_stamp() == at) edge();
     else sc_core::next_trigger(at);
   }
-  void put_on() {
+  void put_on(std::size_t number) {
+    Tap& one = taps_[number];
     const auto* module =
-        dynamic_cast<const sc_core::sc_module*>(sc_core::sc_find_object(path_.c_str()));
-    if (!module) throw std::logic_error("there is no module " + path_);
-    sink_ = &open_(traffic_ports(*module));
-    tap_.emplace(unit_, *module, *sink_);
+        dynamic_cast<const sc_core::sc_module*>(sc_core::sc_find_object(one.path.c_str()));
+    if (!module) throw std::logic_error("there is no module " + one.path);
+    one.sink = &open_(number, traffic_ports(*module));
+    one.tap = std::make_unique<TrafficTap>(one.unit, *module, *one.sink);
   }
 
-  const std::string unit_, path_;
-  const OpenSink open_;
-  TrafficSink* sink_ = nullptr;
-  std::optional<TrafficTap> tap_;
+  const OpenSinks open_;
+  std::vector<Tap> taps_;
   std::exception_ptr thrown_;
 };
 
@@ -79,20 +91,31 @@ class EarlyTap {
 void record_chip_traffic(const WiredBench::Setting& setting, const std::string& unit,
                          const std::vector<int>& frames, const OpenSink& open,
                          const std::function<void(int frames, std::uint64_t clocks)>& done) {
-  EarlyTap tap(setting, unit, open);
+  record_chip_traffic(
+      setting, std::vector<std::string>{unit}, frames,
+      [&](std::size_t, const std::vector<PortTraffic::Port>& ports) -> TrafficSink& {
+        return open(ports);
+      },
+      done);
+}
+
+void record_chip_traffic(const WiredBench::Setting& setting, const std::vector<std::string>& units,
+                         const std::vector<int>& frames, const OpenSinks& open,
+                         const std::function<void(int frames, std::uint64_t clocks)>& done) {
+  EarlyTaps taps(setting, units, open);
   WiredBench::Watches watches;
-  watches.each_edge = [&](const wired_chip&) { tap.edge(); };
+  watches.each_edge = [&](const wired_chip&) { taps.edge(); };
   WiredBench bench(setting, watches);
   const int clocks = raster_of(setting.built, setting.k).frame_clocks();
   int next = 0, ready = 0;
   for (const int frame : frames) {
     bench.seek(frame);
-    tap.begin(bench.dut(), frame, frame != next);
+    taps.begin(bench.dut(), frame, frame != next);
     const Surroundings* around = bench.around();
     const int pictures = around ? around->pictures() : 0;
     do {
       bench.advance(clocks);
-      tap.check();
+      taps.check();
     } while (around && around->pictures() == pictures);
     next = around ? UnknownFrame : (frame + 1) % setting.frames;
     done(++ready, bench.clocks());

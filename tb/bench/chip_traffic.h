@@ -1,4 +1,4 @@
-// The traffic of a unit in the wired chip, recorded.
+// The traffic of units in the wired chip, recorded.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -22,5 +22,12 @@ using OpenSink = std::function<TrafficSink&(const std::vector<PortTraffic::Port>
 void record_chip_traffic(const WiredBench::Setting& setting, const std::string& unit,
                          const std::vector<int>& frames, const OpenSink& open,
                          const std::function<void(int frames, std::uint64_t clocks)>& done);
+
+/// The same of several units in one run. `open` is told the number of the unit.
+void record_chip_traffic(
+    const WiredBench::Setting& setting, const std::vector<std::string>& units,
+    const std::vector<int>& frames,
+    const std::function<TrafficSink&(std::size_t, const std::vector<PortTraffic::Port>&)>& open,
+    const std::function<void(int frames, std::uint64_t clocks)>& done);
 
 }  // namespace racebeam

@@ -20,6 +20,7 @@
 #include "tb/bench/surroundings.h"
 #include "tb/bench/wired_bench.h"
 #include "tb/program/common_options.h"
+#include "tb/program/replay_all.h"
 #include "tb/program/verify_bench.h"
 #include "tb/program/verify_power_up.h"
 #include "tb/program/verify_replay.h"
@@ -322,6 +323,9 @@ Run plan_verify(const VerifyOptions& options) {
 }
 
 int command_verify(const VerifyOptions& options) {
+  if (options.replay != AllFrames &&
+      (options.jobs > 0 || options.minutes > 0 || !options.record.empty()))
+    throw UsageError("--jobs, --minutes and --record are of --replay all");
   if (!options.replay.empty()) return verify_replay(options);
   auto [show, level, k, choices] = plan_verify(options);
   const bool inside = options.power_up > 0 || !options.bench.empty();
@@ -353,6 +357,7 @@ namespace {
 
 constexpr long long MostRandomClocks = 1'000'000'000'000;
 constexpr long long LargestSeed = 0xffffffff;
+constexpr long long MostJobs = 256, MostMinutes = 100'000;
 constexpr long long MostPowerUps = 1'000'000;
 
 void add_options(const CommandOptions& command, VerifyOptions& options) {
@@ -401,6 +406,17 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
       .add_option("--replay", options.replay,
                   "Traffic that `racebeam capture` wrote, into the RTL alone; UNIT=model too; all: "
                   "every frame of the scene, or the first --frames of them, kept in parts in -o")
+      .type_name("FILE")
+      .check(not_empty);
+  add_number(command, "--jobs", options.jobs,
+             "Of --replay all: processes; else as many as there are processors",
+             is_number_in("--jobs", 1, MostJobs));
+  add_number(command, "--minutes", options.minutes,
+             "Of --replay all: after these no part begins; the same command goes on",
+             is_number_in("--minutes", 1, MostMinutes));
+  command
+      .add_option("--record", options.record,
+                  "Of --replay all: write what was compared to this file, a row for each unit")
       .type_name("FILE")
       .check(not_empty);
   command

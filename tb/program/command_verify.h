@@ -29,6 +29,9 @@ struct VerifyOptions : RunOptions, ShakeOptions, DelayOptions {
   std::string bench;                       ///< Verilog file of what the unit is played; empty: none
   bool no_shrink = false;                  ///< differences alone stay as they were found
   std::string replay;                      ///< a file of traffic, instead of frames and random
+  std::string record;                      ///< file for a row of each unit's replay; empty: none
+  long long jobs = 0;                      ///< processes of a replay of all; 0: as processors
+  long long minutes = 0;                   ///< after which no part of it begins; 0: no end
   long long power_up = 0;                  ///< random values of each unit's registers at power-up
   bool watch = false;                      ///< for verify_watch()
   bool json = false;

@@ -14,11 +14,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <thread>
 
 #include "tb/base/child.h"
+#include "tb/base/console.h"
 #include "tb/base/errors.h"
 #include "tb/base/file_lock.h"
 #include "tb/base/guarded.h"
@@ -27,9 +29,12 @@
 #include "tb/base/progress.h"
 #include "tb/base/whole_file.h"
 #include "tb/program/replay_part.h"
+#include "tb/program/replay_record.h"
 #include "tb/program/replay_source.h"
+#include "tb/program/replay_together.h"
 #include "tb/program/verify_report.h"
 #include "tb/twin/use_option.h"
+#include "tb/verilate/gate_netlist.h"
 
 namespace racebeam {
 
@@ -38,6 +43,17 @@ namespace {
 constexpr int MostFrames = 64, MostPictures = 4;  // of a part
 constexpr int LeastParts = 16;                    // if there are so many frames
 constexpr auto Pause = std::chrono::milliseconds(20);
+
+/// "stacks"; netlists have their own, "stacks.gates".
+std::string folder_name(const std::string& word) {
+  const auto equals = word.find('=');
+  const std::string unit = word.substr(0, equals);
+  if (equals == std::string::npos || !gate_word(word.substr(equals + 1))) return unit;
+  std::string gates = word.substr(equals + 1);
+  std::replace_if(
+      gates.begin(), gates.end(), [](char c) { return c == ':' || c == '/'; }, '.');
+  return unit + "." + gates;
+}
 
 /// Clocks that all processes have compared.
 class SharedCount {
@@ -54,46 +70,75 @@ class SharedCount {
   std::atomic<std::uint64_t>* const count_;
 };
 
-/// All parts of the replay of one unit.
+/// All parts of the replay of units.
 class AllFramesReplay {
  public:
-  AllFramesReplay(const Replay& what, int frames)
-      : what_(what),
-        head_(replay_head(what)),
-        key_(replay_key(what, head_)),
-        folder_(what.options.folder + "/" + what.dut.unit) {
-    const int most = what.run.show.engine().races_beam ? MostFrames : MostPictures;
+  AllFramesReplay(const VerifyOptions& options, const Run& run, std::vector<Replay> units,
+                  int frames)
+      : options_(options), run_(run), frames_(frames) {
+    units_.reserve(units.size());
+    for (Replay& what : units) {
+      TrafficHead head = replay_head(what);
+      std::string key = replay_key(what, head);
+      std::string folder = options.folder + "/" + folder_name(what.word);
+      units_.push_back({std::move(what), std::move(head), std::move(key), std::move(folder), {}});
+    }
+    const int most = run.show.engine().races_beam ? MostFrames : MostPictures;
     const int step = std::clamp(frames / LeastParts, 1, most);
     for (int first = 0; first < frames; first += step)
       parts_.push_back({first, std::min(step, frames - first)});
   }
 
   /// Throws Interrupted: what is done is kept.
-  UnitVerdict run() {
-    make_folder(folder_);
-    FileLock lock(folder_);
-    if (!lock.take())
-      throw UsageError(folder_ +
-                       ": another replay is at work there; wait for it, or choose "
-                       "another folder with -o");
-    expect_key();
-    std::vector<ReplayPart> open;
-    for (const ReplayPart& part : parts_)
-      if (!read_part(folder_, part, key_)) open.push_back(part);
+  std::vector<UnitVerdict> run() {
+    for (Unit& unit : units_) {
+      make_folder(unit.folder);
+      unit.lock = std::make_unique<FileLock>(unit.folder);
+      if (!unit.lock->take())
+        throw UsageError(unit.folder +
+                         ": another replay is at work there; wait for it, or choose "
+                         "another folder with -o");
+      expect_key(unit);
+    }
+    std::vector<OpenPart> open;
+    for (const ReplayPart& part : parts_) {
+      OpenPart one{part, {}};
+      for (const Unit& unit : units_)
+        if (!read_part(unit.folder, part, unit.key)) one.units.push_back(&unit);
+      if (!one.units.empty()) open.push_back(one);
+    }
     work(open);
-    return sum();
+    std::vector<UnitVerdict> verdicts;
+    for (const Unit& unit : units_) verdicts.push_back(sum(unit));
+    if (!options_.record.empty()) record(verdicts);
+    return verdicts;
   }
 
  private:
-  void expect_key() const;
-  void work(const std::vector<ReplayPart>& open);
-  void do_part(const ReplayPart& part, std::atomic<std::uint64_t>& compared);
-  UnitVerdict sum() const;
+  struct Unit {
+    Replay what;
+    TrafficHead head;
+    std::string key;     // of what is compared
+    std::string folder;  // of the parts
+    std::unique_ptr<FileLock> lock;
+  };
+  struct OpenPart {
+    ReplayPart part;
+    std::vector<const Unit*> units;
+  };
 
-  const Replay& what_;
-  const TrafficHead head_;
-  const std::string key_;     // of what is compared
-  const std::string folder_;  // of the parts
+  static void expect_key(const Unit& unit);
+  void work(const std::vector<OpenPart>& open);
+  static void do_part(const OpenPart& open, std::atomic<std::uint64_t>& compared);
+  static void do_alone(const Unit& unit, const ReplayPart& part,
+                       std::atomic<std::uint64_t>& compared);
+  UnitVerdict sum(const Unit& unit) const;
+  void record(const std::vector<UnitVerdict>& verdicts) const;
+
+  const VerifyOptions& options_;
+  const Run& run_;
+  const int frames_;
+  std::vector<Unit> units_;
   std::vector<ReplayPart> parts_;
 };
 
@@ -106,46 +151,70 @@ std::string other_line(const std::string& mine, const std::string& theirs) {
   return "text";
 }
 
-void AllFramesReplay::expect_key() const {
-  const std::string path = folder_ + "/replay.txt";
-  if (!std::filesystem::exists(path)) return write_text(path, key_);
+void AllFramesReplay::expect_key(const Unit& unit) {
+  const std::string path = unit.folder + "/replay.txt";
+  if (!std::filesystem::exists(path)) return write_text(path, unit.key);
   const std::string there = whole_file(path);
-  if (there == key_) return;
+  if (there == unit.key) return;
   throw UsageError(
       fmt::format("{} holds parts of a replay with another {}: choose another folder "
                   "with -o, or remove that",
-                  folder_, other_line(key_, there)));
+                  unit.folder, other_line(unit.key, there)));
 }
 
-void AllFramesReplay::do_part(const ReplayPart& part, std::atomic<std::uint64_t>& compared) {
+// The units that say what the model says share the traffic; each other one tells how it differs.
+void AllFramesReplay::do_part(const OpenPart& open, std::atomic<std::uint64_t>& compared) {
+  std::vector<ReplayUnit> units;
+  for (const Unit* unit : open.units) units.push_back({&unit->what, &unit->head});
+  const auto verdicts =
+      replayed_together(units, open.part, [&](std::uint64_t clocks) { compared += clocks; });
+  for (std::size_t n = 0; n < units.size(); ++n) {
+    const Unit& unit = *open.units[n];
+    if (verdicts[n]) write_part(unit.folder, open.part, unit.key, *verdicts[n]);
+    else do_alone(unit, open.part, compared);
+  }
+}
+
+void AllFramesReplay::do_alone(const Unit& unit, const ReplayPart& part,
+                               std::atomic<std::uint64_t>& compared) {
   std::string file;
-  const auto source = part_source(what_, head_, part, folder_, file);
+  const auto source = part_source(unit.what, unit.head, part, unit.folder, file);
   std::uint64_t told = 0;
-  Replay what = what_;
+  Replay what = unit.what;
   what.captured = fmt::format("--first {} --frames {}", part.first, part.frames);
-  what.folder = folder_ + "/" + std::filesystem::path(part.file()).stem().string();
+  what.folder = unit.folder + "/" + std::filesystem::path(part.file()).stem().string();
   const UnitVerdict verdict = replayed(what, *source, [&](std::uint64_t clocks) {
     compared += clocks - told;
     told = clocks;
   });
   if (!file.empty()) std::filesystem::remove(file);
-  write_part(folder_, part, key_, verdict);
+  write_part(unit.folder, part, unit.key, verdict);
 }
 
-// Each part in a process of its own, as many as there are processors.
-void AllFramesReplay::work(const std::vector<ReplayPart>& open) {
-  const std::size_t jobs = std::max(1u, std::thread::hardware_concurrency());
-  const auto frame_clocks = static_cast<std::int64_t>(what_.run.raster().frame_clocks());
-  std::int64_t frames = 0;
-  for (const ReplayPart& part : open) frames += part.frames;
-  Progress progress(frames, "frames");
+// Each part in a process of its own, as many as there are to be.
+void AllFramesReplay::work(const std::vector<OpenPart>& open) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t jobs = options_.jobs > 0 ? static_cast<std::size_t>(options_.jobs)
+                                             : std::max(1u, std::thread::hardware_concurrency());
+  const auto frame_clocks = static_cast<std::int64_t>(run_.raster().frame_clocks());
+  std::int64_t frames = 0;  // of all units
+  for (const OpenPart& one : open)
+    frames += one.part.frames * static_cast<std::int64_t>(one.units.size());
+  Progress progress(frames, "frames of units");
   SharedCount compared;
   std::map<pid_t, bool> running;
   std::size_t next = 0;
   int failed = 0;  // exit code of a part that could not be done
   bool told = false;
-  while (!running.empty() || (next < open.size() && !interrupted() && failed == 0)) {
-    while (running.size() < jobs && next < open.size() && !interrupted() && failed == 0) {
+  const auto late = [&] {
+    return options_.minutes > 0 &&
+           std::chrono::steady_clock::now() - start >= std::chrono::minutes(options_.minutes);
+  };
+  const auto goes_on = [&] {
+    return next < open.size() && !interrupted() && failed == 0 && !late();
+  };
+  while (!running.empty() || goes_on()) {
+    while (running.size() < jobs && goes_on()) {
       const pid_t child = fork_child();
       if (child < 0) throw MissingTool("there is no place for another process");
       if (child == 0) {
@@ -174,25 +243,30 @@ void AllFramesReplay::work(const std::vector<ReplayPart>& open) {
       if (code != 0 && failed == 0) failed = code;
       at = running.erase(at);
     }
-    progress.draw(static_cast<std::int64_t>(*compared) / frame_clocks, *compared, what_.dut.unit);
+    progress.draw(static_cast<std::int64_t>(*compared) / frame_clocks, *compared);
     std::this_thread::sleep_for(Pause);
   }
   progress.clear();
   if (interrupted()) throw Interrupted();
   if (failed == ExitUsage)
-    throw UsageError(folder_ + ": the replay has ended; what is done is kept");
+    throw UsageError(options_.folder + ": the replay has ended; what is done is kept");
   if (failed != 0)
-    throw MissingTool(folder_ +
+    throw MissingTool(options_.folder +
                       ": a process has ended early; what is done is kept, the same "
                       "command goes on");
+  if (next < open.size()) {
+    tell(fmt::format("{}: {} of {} parts are not done after {} minutes; the same command goes on",
+                     options_.folder, open.size() - next, parts_.size(), options_.minutes));
+    throw Interrupted();
+  }
 }
 
-UnitVerdict AllFramesReplay::sum() const {
-  UnitVerdict all{what_.dut.unit, what_.traffic, 0, 0, 0, 0, {}, {}};
+UnitVerdict AllFramesReplay::sum(const Unit& unit) const {
+  UnitVerdict all{unit.what.dut.unit, unit.what.traffic, 0, 0, 0, 0, {}, {}};
   for (const ReplayPart& part : parts_) {
-    const auto one = read_part(folder_, part, key_);
+    const auto one = read_part(unit.folder, part, unit.key);
     if (!one)
-      throw UsageError(folder_ + "/" + part.file() + " is gone; run the same command again");
+      throw UsageError(unit.folder + "/" + part.file() + " is gone; run the same command again");
     all.clocks += one->clocks;
     all.masked += one->masked;
     all.differences += one->differences;
@@ -201,6 +275,39 @@ UnitVerdict AllFramesReplay::sum() const {
     if (all.fault.empty()) all.fault = one->fault;
   }
   return all;
+}
+
+void AllFramesReplay::record(const std::vector<UnitVerdict>& verdicts) const {
+  std::vector<ReplayRow> rows;
+  for (std::size_t n = 0; n < units_.size(); ++n) {
+    const Unit& unit = units_[n];
+    rows.push_back(
+        replay_row(unit.head, unit.what.word, unit.key, frames_, verdicts[n], options_.set_text()));
+  }
+  write_replay_record(options_.record, rows);
+}
+
+/// Of each unit, with "all" written out. Throws UsageError: two go to one folder.
+std::vector<std::string> words_of(const VerifyOptions& options, const Run& run) {
+  std::vector<std::string> words;
+  for (const std::string& word :
+       options.units.empty() ? std::vector<std::string>{AllUnits} : options.units) {
+    const auto equals = word.find('=');
+    if (word.substr(0, equals) != AllUnits) {
+      words.push_back(word);
+      continue;
+    }
+    for (const std::string& unit : run.show.engine().unit_names(run.show.tables() != nullptr))
+      words.push_back(unit + (equals == std::string::npos ? "" : word.substr(equals)));
+  }
+  std::map<std::string, std::string> folders;
+  for (const std::string& word : words)
+    if (const auto [at, fresh] = folders.emplace(folder_name(word), word); !fresh)
+      throw UsageError(
+          fmt::format("{} and {} would be kept in one folder; replay them one after "
+                      "the other, each with its own -o",
+                      at->second, word));
+  return words;
 }
 
 }  // namespace
@@ -212,22 +319,16 @@ int verify_all_frames(const VerifyOptions& options) {
   if (frames < 1 || frames > all)
     throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", frames, all));
   try_folder(options.folder);
-  std::vector<std::string> words;
-  for (const std::string& word :
-       options.units.empty() ? std::vector<std::string>{AllUnits} : options.units) {
-    if (word != AllUnits) words.push_back(word);
-    else
-      for (const std::string& unit : run.show.engine().unit_names(run.show.tables() != nullptr))
-        words.push_back(unit);
-  }
+  const std::vector<std::string> words = words_of(options, run);
   catch_interrupts();
-  std::vector<UnitVerdict> verdicts;
+  std::vector<Replay> units;
+  units.reserve(words.size());
   for (const std::string& word : words) {
-    Replay what = replay_of(options, run, word, nullptr);
-    what.traffic = "all";
-    verdicts.push_back(AllFramesReplay(what, static_cast<int>(frames)).run());
+    units.push_back(replay_of(options, run, word, nullptr));
+    units.back().traffic = "all";
   }
-  return tell_verdicts(verdicts, options.seed, options.json);
+  AllFramesReplay replay(options, run, std::move(units), static_cast<int>(frames));
+  return tell_verdicts(replay.run(), options.seed, options.json);
 }
 
 }  // namespace racebeam

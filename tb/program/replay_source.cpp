@@ -19,6 +19,7 @@
 #include "tb/sweep/model_hash.h"
 #include "tb/twin/traffic_head.h"
 #include "tb/twin/traffic_tap.h"
+#include "tb/twin/use_option.h"
 
 namespace racebeam {
 
@@ -37,10 +38,24 @@ std::string rtl_hash(const std::string& plugin) {
   return content_hash(text);
 }
 
+/// Of the whole chip: those of its own RTL but the clock, which are the chip's pins.
+TrafficHead top_head(const Replay& what) {
+  unit_choices own;
+  UseOption(what.run.show.engine(), what.run.k, what.run.show.tables())
+      .lockstep(own, what.dut.unit);
+  const rtl_library library(own.of(what.dut.unit).plugin);
+  std::vector<PortTraffic::Port> ports;
+  for (int n = 0; n < library.model().port_count; ++n)
+    if (const rtl_port& port = library.model().ports[n]; port.name != std::string("clk_i"))
+      ports.push_back({port.name, port.bits, port.is_input != 0});
+  return traffic_head(what.run, what.dut.unit, "chip", ports);
+}
+
 }  // namespace
 
 // Ports are known of modules only, and SystemC elaborates once.
 TrafficHead replay_head(const Replay& what) {
+  if (what.dut.unit == what.run.show.engine().top) return top_head(what);
   return head_of(forked([&] {
     const Show& show = what.run.show;
     const auto model = show.engine().unit(what.dut.unit)->make("model", what.run.k, show.tables());

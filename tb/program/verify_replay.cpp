@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sc/base/constants.h"
+#include "sc/beam/engine.h"
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
 #include "tb/base/interrupt.h"
@@ -62,6 +63,8 @@ FirstDifference first_of(const Replay& replay, const TrafficSource& source,
 std::string Replay::repeat() const {
   const std::string run_text = " --scene " + options.scene + options.set_text();
   const std::string file = captured.empty() ? options.replay : dut.unit + ".traffic";
+  if (dut.unit == run.show.engine().top)  // its frames are not to be had from a file
+    return fmt::format("racebeam verify {} --replay all{} -o again", word, run_text);
   const std::string replay = fmt::format("racebeam verify {} --replay {}{}", word, file, run_text);
   if (captured.empty()) return replay;
   return fmt::format("racebeam capture {} {}{} -o {} && {}", dut.unit, captured, run_text, file,
@@ -120,11 +123,15 @@ Replay replay_of(const VerifyOptions& options, const Run& run, const std::string
   const std::string as_model = unit + "=" + ModelPlayer;
   const UseOption use(run.show.engine(), run.k, run.show.tables());
   unit_choices choices;
-  if (unit == run.show.engine().top)
-    throw UsageError(unit +
-                     " is put to a frame through back doors, not through its pins: replay "
-                     "one of its units");
-  use.use(choices, as_model);  // there is such a unit
+  const bool whole = unit == run.show.engine().top;
+  if (whole &&
+      (options.replay != AllFrames || word == as_model || &run.show.engine() != &beam_engine()))
+    throw UsageError(
+        unit +
+        " is put to a frame through back doors, not through its pins: replay "
+        "one of its units" +
+        (&run.show.engine() == &beam_engine() ? ", or it with --replay all" : std::string()));
+  if (!whole) use.use(choices, as_model);  // there is such a unit
   if (head) expect_traffic(options.replay, *head, run, unit);
   if (word != as_model) use.lockstep(choices, word);
   const std::string plugin = word == as_model ? ModelPlayer : choices.of(unit).plugin;

@@ -97,6 +97,15 @@ bool BareRtl::has(std::size_t port) const {
   return false;
 }
 
+void BareRtl::deposit(const std::string& signal, std::uint64_t value) {
+  for (int n = 0; n < model().signal_count; ++n)
+    if (signal == model().signals[n].name) {
+      settled_ = false;
+      return write(model().signals[n], value);
+    }
+  throw RtlError(rtl_place(model()) + ": there is no signal " + signal);
+}
+
 void BareRtl::drive(const std::uint64_t* rows, std::uint64_t clocks) {
   for (; clocks > 0; --clocks, rows += ports_) {
     settle(rows);

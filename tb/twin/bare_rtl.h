@@ -60,6 +60,12 @@ class BareRtl {
 
   /// Whether the RTL has a port; it may do without an optional one.
   bool has(std::size_t port) const;
+  /// Those of the traffic.
+  std::size_t ports() const { return ports_; }
+
+  /// Writes a register inside of RTL that was built with its signals, between clocks. Throws
+  /// RtlError if there is none of this name.
+  void deposit(const std::string& signal, std::uint64_t value);
 
   /// Gives all signals inside any values, as registers have them at power-up; of RTL that was built
   /// with its signals; those of 0 are all ones. Throws RtlError if it was not.

@@ -47,6 +47,8 @@ struct TrafficBlock {
   std::uint64_t first = 0;  ///< clocks that are not private before it
   bool is_private = false;
   std::vector<std::uint64_t> values;  ///< by clock, then by port
+  /// Registers inside the whole chip, by name, that get a value first; never in a file.
+  std::vector<std::pair<std::string, std::uint64_t>> deposits{};
 };
 
 /// Whoever takes traffic, clock by clock.

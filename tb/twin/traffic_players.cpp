@@ -22,10 +22,14 @@ class RtlPlayer : public TrafficPlayer {
     return rtl_.run(rows, clocks, compared);
   }
   void drive(const std::uint64_t* rows, std::uint64_t clocks) override { rtl_.drive(rows, clocks); }
+  void deposit(const std::string& signal, std::uint64_t value) override {
+    rtl_.deposit(signal, value);
+  }
   void settle(const std::uint64_t* row) override { rtl_.settle(row); }
   void edge() override { rtl_.edge(); }
   std::uint64_t value(std::size_t port) const override { return rtl_.value(port); }
   bool has(std::size_t port) const override { return rtl_.has(port); }
+  std::size_t ports() const override { return rtl_.ports(); }
 
  private:
   BareRtl rtl_;
@@ -63,6 +67,10 @@ class ModelPlayer : public TrafficPlayer {
   void edge() override { bench_.clock(); }
   std::uint64_t value(std::size_t port) const override { return pins_[port]->value(); }
   bool has(std::size_t) const override { return true; }
+  std::size_t ports() const override { return pins_.size(); }
+  void deposit(const std::string& signal, std::uint64_t) override {
+    throw RtlError("a model has no register " + signal + "; it is put to a frame by its pins");
+  }
 
  private:
   const std::unique_ptr<sc_core::sc_module> model_;

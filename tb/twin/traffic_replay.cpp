@@ -9,24 +9,27 @@
 
 namespace racebeam {
 
+std::optional<TrafficDifference> play(const TrafficBlock& block, TrafficPlayer& player) {
+  for (const auto& [signal, value] : block.deposits) player.deposit(signal, value);
+  const std::uint64_t clocks = block.values.size() / player.ports();
+  if (!block.is_private) return player.run(block.values.data(), clocks, block.first > 0);
+  player.drive(block.values.data(), clocks);
+  return std::nullopt;
+}
+
 ReplayDone replay(TrafficSource& source, TrafficPlayer& player,
                   const std::function<void(std::uint64_t)>& compared) {
-  const std::size_t ports = source.head().ports.size();
   ReplayDone done;
   source.rewind();
   for (TrafficBlock block; source.next(block);) {
     if (interrupted()) throw Interrupted();
-    const std::uint64_t clocks = block.values.size() / ports;
-    if (block.is_private) {
-      player.drive(block.values.data(), clocks);
-      continue;
-    }
-    if (const auto found = player.run(block.values.data(), clocks, block.first > 0)) {
+    if (const auto found = play(block, player)) {
       done.difference = block.first + found->clock;
       done.clocks = *done.difference + 1;
       return done;
     }
-    done.clocks = block.first + clocks;
+    if (block.is_private) continue;
+    done.clocks = block.first + block.values.size() / player.ports();
     compared(done.clocks);
   }
   return done;
@@ -93,6 +96,7 @@ ReplayWindow replay_window(TrafficSource& source, TrafficPlayer& player, std::ui
     const std::uint64_t clocks = block.values.size() / ports.size();
     const std::uint64_t* row = block.values.data();
     const std::uint64_t begin = std::max(d.first_clock(), block.first) - block.first;
+    for (const auto& [signal, value] : block.deposits) player.deposit(signal, value);
     const std::uint64_t quick = block.is_private ? clocks : std::min(clocks, begin);
     player.drive(row, quick);
     row += quick * ports.size();

@@ -25,10 +25,13 @@ class TrafficPlayer {
   virtual std::optional<TrafficDifference> run(const std::uint64_t* rows, std::uint64_t clocks,
                                                bool compared) = 0;
   virtual void drive(const std::uint64_t* rows, std::uint64_t clocks) = 0;
+  /// A value for a register inside; throws RtlError if there is none of this name.
+  virtual void deposit(const std::string& signal, std::uint64_t value) = 0;
   virtual void settle(const std::uint64_t* row) = 0;
   virtual void edge() = 0;
   virtual std::uint64_t value(std::size_t port) const = 0;
   virtual bool has(std::size_t port) const = 0;
+  virtual std::size_t ports() const = 0;  ///< of the traffic
 };
 
 /// RTL, a netlist too. Throws RtlError, also if it is of another unit, has ports that the unit does
@@ -44,6 +47,9 @@ struct ReplayDone {
   /// The first clock in which an output is not as recorded.
   std::optional<std::uint64_t> difference;
 };
+
+/// A block of it, as its kind wants. Throws RtlFault.
+std::optional<TrafficDifference> play(const TrafficBlock& block, TrafficPlayer& player);
 
 /// All of the traffic, from its start on up to a difference; `compared` is told now and then how
 /// many clocks are done. Throws RtlFault, Interrupted, what the source throws.

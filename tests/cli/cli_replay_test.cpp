@@ -152,6 +152,62 @@ TEST_F(CliReplayTest, PartsOfOtherRtlAreNotMixed) {
                         "--scene demo\n"));
 }
 
+TEST_F(CliReplayTest, UnitsThatShareAPassSayWhatTheySayAlone) {
+  Program run(folder.path(), {"verify", "interval_fifo", mistaken(), "navigator", "sequencer",
+                              "--replay", "all", "--frames", "2", "--json"});
+  EXPECT_EQ(run.wait(), 1) << run.err();
+  const Json rows = run.json()["units"];
+  ASSERT_EQ(rows.size(), 4u);
+  for (const int n : {0, 2, 3}) {
+    EXPECT_EQ(rows[n]["clocks"], 2 * (FrameClocks + 1)) << rows[n].dump();
+    EXPECT_EQ(rows[n]["differences"], 0) << rows[n].dump();
+  }
+  const Json alone =
+      unit({"verify", "stacks=mine.sv", "--replay", "all", "--frames", "2", "-o", "alone"}, 1);
+  EXPECT_EQ(rows[1]["differences"], alone["differences"]);
+  for (const char* key : {"port", "clock", "expected", "got", "place"})
+    EXPECT_EQ(rows[1]["first"][key], alone["first"][key]) << key;
+}
+
+TEST_F(CliReplayTest, RtlThatEndsLeavesTheOthersOfItsPassAlone) {
+  std::string text = read_file(rtl_file("stacks"));
+  text.insert(text.rfind("endmodule"), "always_ff @(posedge clk_i) if (push_en_i) $finish;\n");
+  std::ofstream(folder / "ends.sv") << text;
+  Program run(folder.path(), {"verify", "interval_fifo", "stacks=ends.sv", "--replay", "all",
+                              "--frames", "1", "--json"});
+  EXPECT_EQ(run.wait(), 2);
+  const Json rows = run.json()["units"];
+  EXPECT_EQ(rows[0]["clocks"], FrameClocks + 1);
+  EXPECT_TRUE(rows[0]["fault"].is_null());
+  EXPECT_THAT(rows[1]["fault"].get<std::string>(), HasSubstr("ends.sv"));
+}
+
+TEST_F(CliReplayTest, TheWholeChipBeginsInAnyFrame) {
+  const Json row = unit({"verify", "racebeam_top", "--replay", "all", "--frames", "3"}, 0);
+  EXPECT_EQ(row["clocks"], 3 * (FrameClocks + 1));
+  EXPECT_EQ(row["differences"], 0);
+  expect_refused({"verify", "racebeam_top=model", "--replay", "all"}, "back doors");
+}
+
+TEST_F(CliReplayTest, ARecordHasARowForEachUnitAndLevel) {
+  const Words words = {"verify",   "stacks", "stacks=gates", "--replay", "all",
+                       "--frames", "1",      "--record",     "kept.json"};
+  for (int time = 0; time < 2; ++time) {
+    Program run(folder.path(), words);
+    EXPECT_EQ(run.wait(), 0) << run.err();
+    const Json rows = Json::parse(read_file(folder / "kept.json"));
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0]["level"], "rtl");
+    EXPECT_EQ(rows[1]["level"], "gates");
+    EXPECT_EQ(rows[1]["clocks"], FrameClocks + 1);
+    EXPECT_NE(rows[0]["rtl"], rows[1]["rtl"]);
+    EXPECT_EQ(rows[0]["model"], rows[1]["model"]);
+  }
+  std::ofstream(folder / "kept.json") << "words";
+  expect_refused(words, "kept.json holds no record of replays");
+  expect_refused({"verify", "stacks", "--record", "kept.json"}, "of --replay all");
+}
+
 TEST_F(CliReplayTest, TwoReplaysAtOnceAreRefused) {
   const Words words = {"verify", "stacks", "--replay", "all", "--frames", "600"};
   Program first(folder.path(), words);
