@@ -281,8 +281,8 @@ void AllFramesReplay::record(const std::vector<UnitVerdict>& verdicts) const {
   std::vector<ReplayRow> rows;
   for (std::size_t n = 0; n < units_.size(); ++n) {
     const Unit& unit = units_[n];
-    rows.push_back(
-        replay_row(unit.head, unit.what.word, unit.key, frames_, verdicts[n], options_.set_text()));
+    rows.push_back(replay_row(unit.head, unit.what.word, unit.key, frames_, verdicts[n],
+                              " --scene " + options_.scene + options_.set_text()));
   }
   write_replay_record(options_.record, rows);
 }

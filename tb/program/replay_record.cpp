@@ -51,7 +51,7 @@ ReplayRow row_of(const Json& json) {
 }  // namespace
 
 ReplayRow replay_row(const TrafficHead& head, const std::string& word, const std::string& key,
-                     int frames, const UnitVerdict& verdict, const std::string& set_text) {
+                     int frames, const UnitVerdict& verdict, const std::string& run_text) {
   const auto equals = word.find('=');
   return {head.engine,
           head.scene,
@@ -63,8 +63,7 @@ ReplayRow replay_row(const TrafficHead& head, const std::string& word, const std
           verdict.fault,
           line_of(key, "model"),
           line_of(key, "RTL"),
-          fmt::format("racebeam verify {} --scene {}{} --replay all --frames {}", word, head.scene,
-                      set_text, frames)};
+          fmt::format("racebeam verify {}{} --replay all --frames {}", word, run_text, frames)};
 }
 
 std::vector<ReplayRow> read_replay_record(const std::string& path) {

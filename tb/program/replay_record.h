@@ -22,9 +22,9 @@ struct ReplayRow {
   std::string command;     ///< that compares the same
 };
 
-/// `key`: as of replay_key(); `set_text`: of the knobs.
+/// `key`: as of replay_key(); `run_text`: " --scene demo", and the knobs.
 ReplayRow replay_row(const TrafficHead& head, const std::string& word, const std::string& key,
-                     int frames, const UnitVerdict& verdict, const std::string& set_text);
+                     int frames, const UnitVerdict& verdict, const std::string& run_text);
 
 /// The rows of a file; none if there is no such file. Throws UsageError if it holds others.
 std::vector<ReplayRow> read_replay_record(const std::string& path);

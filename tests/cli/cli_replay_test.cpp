@@ -202,6 +202,8 @@ TEST_F(CliReplayTest, ARecordHasARowForEachUnitAndLevel) {
     EXPECT_EQ(rows[1]["clocks"], FrameClocks + 1);
     EXPECT_NE(rows[0]["rtl"], rows[1]["rtl"]);
     EXPECT_EQ(rows[0]["model"], rows[1]["model"]);
+    EXPECT_EQ(rows[1]["command"],
+              "racebeam verify stacks=gates --scene demo --replay all --frames 1");
   }
   std::ofstream(folder / "kept.json") << "words";
   expect_refused(words, "kept.json holds no record of replays");
