@@ -10,7 +10,8 @@
 // Cycles  9 + specular_squarings + two of block_normalise. start_i is looked at when idle, and that
 //         clock makes the point; done_o in the last one. Inputs stay from start to done.
 //         normalise_o stays 1 until unit_done_i, for each of the two.
-// Comb    dir_i -> direction_o; centre_i, light_i -> v_o.
+// Comb    dir_i, distance_i, base_*_i -> direction_o (they share the multipliers); centre_i,
+//         light_i -> v_o.
 // Stall   waits for unit_done_i.
 // Reset   rst_ni = 0: idle. All other registers are without reset.
 // Knobs   specular_squarings, 0..6: parameter SpecularSquarings.

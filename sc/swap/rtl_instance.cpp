@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/swap/rtl_instance.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <set>
+#include <utility>
+
+#include "sc/swap/rtl_remarks.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr const char* Clock = "clk_i";
+constexpr std::uint64_t Checked = 256;  // edges, of which one looks whether quiet inputs are
 
 }  // namespace
 
@@ -26,6 +32,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
   if (!faults.empty())
     throw RtlError(rtl_place(model()) + ": this does not fit the unit " + unit + "; " + unit +
                    ".h below sc/ has its ports:" + faults);
+  std::vector<const rtl_port*> driven;
   for (any_port* pin : pins) {
     if (!has_rtl_port(model(), pin->port_name())) continue;
     const rtl_port& rtl = rtl_port_of(model(), pin->port_name());
@@ -35,11 +42,13 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
       continue;
     }
     outputs_.push_back({pin, value(rtl)});
-    auto& alike = rtl.bytes == 1   ? bytes_
-                  : rtl.bytes == 2 ? halves_
-                  : rtl.bytes == 4 ? words_
-                                   : doubles_;
-    alike.push_back({rtl.data, 0, pin});
+    driven.push_back(&rtl);
+  }
+  changes_ = changed_ports(driven);
+  const std::set<std::string> quiet = quiet_inputs_of(model());
+  for (std::size_t n = 0; n < inputs_.size(); ++n) {
+    inputs_[n].quiet = quiet.count(inputs_[n].rtl.name()) != 0;
+    (inputs_[n].quiet ? quiet_ : prompt_).push_back(n);
   }
   forget_inputs();
   std::string other;
@@ -49,14 +58,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     throw RtlError(plugin + " was built with other parameters; build it with" + other);
 }
 
-std::uint64_t rtl_instance::value::read() const {
-  switch (port_->bytes) {
-    case 1: return *static_cast<const std::uint8_t*>(port_->data);
-    case 2: return *static_cast<const std::uint16_t*>(port_->data);
-    case 4: return *static_cast<const std::uint32_t*>(port_->data);
-    default: return *static_cast<const std::uint64_t*>(port_->data);
-  }
-}
+std::uint64_t rtl_instance::value::read() const { return port_value(*port_); }
 
 void rtl_instance::value::write(std::uint64_t value) const {
   const std::uint64_t raw = raw_bits(value, port_->bits);
@@ -68,39 +70,63 @@ void rtl_instance::value::write(std::uint64_t value) const {
   }
 }
 
-void rtl_instance::settle() {
-  bool moved = !settled_;
+bool rtl_instance::take(joint& in) {
+  const std::uint64_t now = in.wire.value();
+  if (now == in.last) return false;
+  in.last = now;
+  in.rtl.write(now);
+  return true;
+}
+
+/// Whether all inputs are to be taken, as nothing is known of them.
+bool rtl_instance::bind_wires() {
   if (!bound_)
     for (auto* side : {&inputs_, &outputs_})
       for (joint& port : *side) port.wire = port.pin->contents();
-  bound_ = settled_ = true;
-  for (joint& in : inputs_) {
-    const std::uint64_t now = in.wire.value();
-    if (now == in.last) continue;
-    in.last = now;
-    in.rtl.write(now);
-    moved = true;
-  }
+  bound_ = true;
+  return !std::exchange(settled_, true);
+}
+
+void rtl_instance::settle() {
+  bool moved = bind_wires();
+  for (joint& in : inputs_) moved |= take(in);
   if (moved) library_.eval();
 }
 
 void rtl_instance::edge() { library_.rise(); }
 
-template <class Raw>
-void rtl_instance::drive(std::vector<driven>& outputs) {
-  for (driven& out : outputs) {
-    const std::uint64_t now = *static_cast<const Raw*>(out.data);
-    if (now == out.last) continue;
-    out.last = now;
-    out.pin->drive_wire(now);
-  }
+void rtl_instance::follow() {
+  const bool all = bind_wires();
+  bool moved = all;
+  for (const std::size_t n : prompt_) moved |= take(inputs_[n]);
+  if (all)
+    for (const std::size_t n : quiet_) take(inputs_[n]);
+  if (moved) library_.eval();
+  drive();
+}
+
+void rtl_instance::clock() {
+  for (const std::size_t n : quiet_) take(inputs_[n]);
+  if (++edges_ % Checked == 0 && !quiet_.empty()) check_quiet();
+  library_.rise();
+  drive();
+}
+
+// Its outputs drive what the other inputs have made of them.
+void rtl_instance::check_quiet() {
+  library_.eval();
+  changes_.visit(
+      [this](std::size_t n, std::uint64_t) { tell_not_quiet(model(), outputs_[n].rtl.name()); });
+}
+
+bool rtl_instance::is_quiet(const any_port& pin) const {
+  return std::any_of(inputs_.begin(), inputs_.end(),
+                     [&pin](const joint& in) { return in.pin == &pin && in.quiet; });
 }
 
 void rtl_instance::drive() {
-  drive<std::uint8_t>(bytes_);
-  drive<std::uint16_t>(halves_);
-  drive<std::uint32_t>(words_);
-  drive<std::uint64_t>(doubles_);
+  changes_.visit(
+      [this](std::size_t n, std::uint64_t value) { outputs_[n].pin->drive_wire(value); });
 }
 
 void rtl_instance::seek(int frame) {
@@ -114,7 +140,7 @@ void rtl_instance::place(const vec3& position, int room) {
 
 void rtl_instance::private_edges(const input_values& inputs, int edges) {
   for (const auto& [name, value] : inputs) port(name).write(static_cast<std::uint64_t>(value));
-  for (; edges > 0; --edges) edge();
+  for (; edges > 0; --edges) library_.rise();
   forget_inputs();
 }
 

@@ -9,6 +9,7 @@
 
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
+#include "sc/swap/changed_ports.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
@@ -28,8 +29,14 @@ class rtl_instance {
   void settle();
   /// One rising edge with the inputs of the last settle().
   void edge();
-  /// Drives the wires of all outputs.
-  void drive();
+
+  /// In a chip: what settle() does, and all outputs drive their wires; quiet inputs wait.
+  void follow();
+  /// In a chip: takes the quiet inputs; a rising edge; all outputs drive their wires. Throws
+  /// RtlFault too if an output follows from a quiet input, as is looked for now and then.
+  void clock();
+  /// Whether an input reaches no output before the next edge.
+  bool is_quiet(const any_port& pin) const;
 
   /// The back doors of sequencer_pins and navigator_pins: the RTL gets there through its pins, in
   /// clocks of its own; to be followed by settle().
@@ -58,6 +65,7 @@ class rtl_instance {
     value rtl;
     wire_contents wire{};    ///< once it has settled
     std::uint64_t last = 0;  ///< what the RTL has, of an input
+    bool quiet = false;      ///< an input that reaches no output before the next edge
   };
   const std::vector<joint>& inputs() const { return inputs_; }
   const std::vector<joint>& outputs() const { return outputs_; }
@@ -70,22 +78,20 @@ class rtl_instance {
   void deposit(const std::string& signal, std::uint64_t value);
 
  private:
-  /// An output, as drive() walks over it after each evaluation: little, and by size.
-  struct driven {
-    const void* data;
-    std::uint64_t last;  // 0, as the wire, at the start
-    any_port* pin;
-  };
-  template <class Raw>
-  static void drive(std::vector<driven>& outputs);
-
+  /// From its wire; whether it has moved.
+  static bool take(joint& in);
+  bool bind_wires();
+  void drive();
+  void check_quiet();
   value port(const std::string& name) const;
   void forget_inputs();
   const rtl_model& model() const { return library_.model(); }
 
   rtl_library library_;
   std::vector<joint> inputs_, outputs_;
-  std::vector<driven> bytes_, halves_, words_, doubles_;  // the outputs
+  std::vector<std::size_t> prompt_, quiet_;  // of the inputs
+  changed_ports changes_;                    // of the outputs
+  std::uint64_t edges_ = 0;
   bool settled_ = false;  // the RTL has seen its inputs, and its outputs follow
   bool bound_ = false;    // the wires are known
 };

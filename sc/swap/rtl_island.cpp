@@ -8,11 +8,14 @@
 #include <set>
 #include <utility>
 
+#include "sc/swap/rtl_remarks.h"
+
 namespace racebeam {
 
 namespace {
 
 constexpr const char* Clock = "clk_i";
+constexpr std::uint64_t Checked = 256;  // edges, of which one looks whether late inputs are
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -40,6 +43,14 @@ const sc_core::sc_object* channel_of(const any_port& pin) {
   return dynamic_cast<const sc_core::sc_object*>(port->get_interface());
 }
 
+/// The clock of all; not every unit has it.
+in_port<1>& clock_of(const std::vector<island_unit*>& units) {
+  for (const island_unit* unit : units)
+    for (any_port* pin : ports_of(unit->module()))
+      if (pin->port_name() == std::string(Clock)) return dynamic_cast<in_port<1>&>(*pin);
+  throw RtlError(units.at(0)->plugin() + " has no unit with a clock");
+}
+
 }  // namespace
 
 std::string wire_name(const std::string& port) {
@@ -59,9 +70,7 @@ rtl_island::rtl_island(const std::string& name, const std::vector<island_unit*>&
     on_inputs.set_sensitivity(dynamic_cast<sc_core::sc_port_base*>(in.pin));
   sc_core::sc_spawn([this] { comb(); }, (name + "_comb").c_str(), &on_inputs);
   on_edge.dont_initialize();
-  for (any_port* pin : ports_of(units.at(0)->module()))
-    if (pin->port_name() == std::string(Clock))
-      on_edge.set_sensitivity(&dynamic_cast<in_port<1>&>(*pin).pos());
+  on_edge.set_sensitivity(&clock_of(units).pos());
   sc_core::sc_spawn([this] { seq(); }, (name + "_seq").c_str(), &on_edge);
   after_edge.dont_initialize();
   after_edge.set_sensitivity(&edge_done_);
@@ -85,11 +94,12 @@ void rtl_island::join(const std::vector<island_unit*>& units) {
     if (name == IslandTick || name == IslandTake || name.rfind(OwnTick, 0) == 0 ||
         name.rfind(OwnPins, 0) == 0)
       continue;
+    const std::size_t from = name.rfind(IslandLate, 0) == 0 ? std::strlen(IslandLate) : 0;
     const auto& side = port.is_input ? readers : drivers;
-    const auto at = side.find(name.substr(0, name.size() - 2));
+    const auto at = side.find(name.substr(from, name.size() - 2 - from));
     if (at == side.end() || at->second->bits() != port.bits)
       throw RtlError(units.at(0)->plugin() + " is made of other units: " + name + " is not theirs");
-    if (port.is_input) inputs_.push_back({at->second, &port});
+    if (port.is_input) (from ? late_ : inputs_).push_back({at->second, &port});
     else inner_.push_back({at->second, &port});
   }
 }
@@ -107,7 +117,11 @@ void rtl_island::find_wires() {
       if (pin->is_input()) read_outside.insert(place_of(pin->contents()));
   }
   std::map<std::string, const void*> by_name;
-  for (input& in : inputs_) in.wire = in.pin->contents();
+  for (auto* side : {&inputs_, &late_})
+    for (input& in : *side) {
+      in.wire = in.pin->contents();
+      by_name[wire_name(in.pin->port_name())] = place_of(in.wire);
+    }
   for (output& out : inner_) {
     out.wire = out.pin->contents();
     by_name[wire_name(out.pin->port_name())] = place_of(out.wire);
@@ -117,7 +131,6 @@ void rtl_island::find_wires() {
     if (const auto* bit = dynamic_cast<const wire<1>*>(channel))
       out.rises = &const_cast<sc_core::sc_event&>(bit->posedge_event());
   }
-  for (const input& in : inputs_) by_name[wire_name(in.pin->port_name())] = place_of(in.wire);
   for (const island_unit* unit : units_)
     for (const any_port* pin : ports_of(unit->module())) {
       const auto at = by_name.find(wire_name(pin->port_name()));
@@ -141,17 +154,30 @@ changed_ports rtl_island::changes_of(const std::vector<output>& outputs) {
   return changed_ports(ports);
 }
 
+bool rtl_island::take(input& in) {
+  const std::uint64_t now = in.wire.value();
+  if (now == in.last) return false;
+  in.last = now;
+  write(*in.rtl, now);
+  return true;
+}
+
 void rtl_island::settle() {
   if (!bound_) find_wires();
   bool moved = !std::exchange(settled_, true);
-  for (input& in : inputs_) {
-    const std::uint64_t now = in.wire.value();
-    if (now == in.last) continue;
-    in.last = now;
-    write(*in.rtl, now);
-    moved = true;
-  }
+  for (input& in : inputs_) moved |= take(in);
   if (moved) library_.eval();
+}
+
+// Its wires have what the other inputs have made of them.
+void rtl_island::check_late() {
+  library_.eval();
+  outer_changes_.visit([this](std::size_t n, std::uint64_t) {
+    tell_not_quiet(library_.model(), outer_[n].rtl->name);
+  });
+  inner_changes_.visit([this](std::size_t n, std::uint64_t) {
+    tell_not_quiet(library_.model(), inner_[n].rtl->name);
+  });
 }
 
 void rtl_island::comb() {
@@ -162,6 +188,8 @@ void rtl_island::comb() {
 
 // At the edge others still read what the wires had before it.
 void rtl_island::seq() {
+  for (input& in : late_) take(in);
+  if (++edges_ % Checked == 0 && !late_.empty()) check_late();
   library_.rise();
   drive_outer();
   edge_done_.notify(sc_core::SC_ZERO_TIME);

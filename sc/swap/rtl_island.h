@@ -1,9 +1,9 @@
 // rtl_island: the RTL of several units that are wired to each other, verilated as one.
 //
 // Each unit keeps its pins and its place in the chip, an rtl_shell; what is behind the pins is one
-// model. It is evaluated when a wire from outside changes, not whenever one of its units moves
-// another. Wires that only units inside read carry the same values at the same clocks as ever, but
-// of events they have posedge_event() only.
+// model. It is evaluated when a wire from outside changes that reaches one of its outputs, not
+// whenever one of its units moves another. Wires that only units inside read carry the same values
+// at the same clocks as ever, but of events they have posedge_event() only.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -26,6 +26,8 @@ namespace racebeam {
 constexpr const char* IslandTop = "racebeam_island";
 constexpr const char* IslandTick = "racebeam_tick";
 constexpr const char* IslandTake = "racebeam_take";
+/// Before the name of an input that reaches no output before the next edge.
+constexpr const char* IslandLate = "late_";
 /// Of a unit with a back door, before its instance: its own clock, whether it has inputs of its
 /// own, and before the instance and a port these.
 constexpr const char* OwnTick = "tick_";
@@ -88,16 +90,19 @@ class rtl_island {
   void seq();
   void publish();
   static changed_ports changes_of(const std::vector<output>& outputs);
+  static bool take(input& in);
   void settle();
+  void check_late();
   void drive_outer();
 
   rtl_library library_;
   const std::vector<island_unit*> units_;
-  std::vector<input> inputs_;
+  std::vector<input> inputs_, late_;
   std::vector<output> inner_, outer_;
   changed_ports inner_changes_, outer_changes_;
   sc_core::sc_event edge_done_;
   bool settled_ = false, bound_ = false;
+  std::uint64_t edges_ = 0;
 };
 
 /// Pins of `Unit` in front of an island.

@@ -27,7 +27,8 @@ struct rtl_model {
   int signal_count;
   /// Of the source, one a line, "KIND FILE:LINE NAME": `top` module; `file` read; `falling`: a
   /// register on the falling edge of the clock; `loop` that no constant ends; `call` of what
-  /// reaches beyond the simulation; `circular` signal.
+  /// reaches beyond the simulation; `circular` signal; `quiet` input, which reaches no output
+  /// before the next edge.
   const char* remarks;
   void* top;
   void (*eval)(void* top);  ///< the inputs have changed

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "sc/swap/rtl_library.h"
+
 namespace racebeam {
 
 std::string nearer_path(const std::string& path) {
@@ -24,6 +26,19 @@ std::vector<std::string> remarks_of(const rtl_model& model, const std::string& k
     if (std::find(found.begin(), found.end(), rest) == found.end()) found.push_back(rest);
   }
   return found;
+}
+
+std::set<std::string> quiet_inputs_of(const rtl_model& model) {
+  std::set<std::string> names;
+  for (const std::string& place : remarks_of(model, "quiet"))
+    names.insert(place.substr(place.rfind('.') + 1));
+  return names;
+}
+
+void tell_not_quiet(const rtl_model& model, const std::string& output) {
+  throw RtlFault("the output " + output + " of " + model.unit +
+                 " follows within a clock from an input of which yosys has found no such path; "
+                 "write its logic so that yosys and Verilator read the same");
 }
 
 std::string remarks_text(const rtl_model& model, const std::string& kind) {

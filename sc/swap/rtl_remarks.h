@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ std::vector<std::string> remarks_of(const rtl_model& model, const std::string& k
 
 /// The same in a line, with commas between; of many only the first ones.
 std::string remarks_text(const rtl_model& model, const std::string& kind);
+
+/// Inputs that reach no output before the next edge, as far as is known.
+std::set<std::string> quiet_inputs_of(const rtl_model& model);
+
+/// Throws RtlFault: an output moved with such an input alone.
+[[noreturn]] void tell_not_quiet(const rtl_model& model, const std::string& output);
 
 /// `path` as seen from the working folder, if that is shorter.
 std::string nearer_path(const std::string& path);

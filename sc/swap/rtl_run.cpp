@@ -259,6 +259,8 @@ const rtl_host& rtl_run_host() {
   return host;
 }
 
+std::uint64_t rtl_evaluations() { return now.number; }
+
 void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
   now.model = &model;
   now.unit = model.unit;

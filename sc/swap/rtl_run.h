@@ -22,6 +22,9 @@ namespace racebeam {
 /// the program says so much and ends with 2.
 void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*));
 
+/// How often run_rtl() was called in this process.
+std::uint64_t rtl_evaluations();
+
 /// What plug-ins are made with: what they print goes to stderr.
 const rtl_host& rtl_run_host();
 

@@ -1,7 +1,7 @@
 // rtl_twin: the RTL of a unit behind the unit's pins, in the place of its model.
 //
-// The RTL is verilated to C++ and lives in a plug-in. It is evaluated when an input changes and at
-// the rising edge; outputs are written when they change.
+// The RTL is verilated to C++ and lives in a plug-in. It is evaluated when an input changes that
+// reaches an output, and at the rising edge; outputs are written when they change.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -22,7 +22,8 @@ class rtl_twin : public Unit::pins, public probed {
     SC_HAS_PROCESS(rtl_twin);
     SC_METHOD(comb);
     for (any_port* port : ports_of(*this))
-      if (port->port_name() != std::string("clk_i")) port->sense(this->sensitive);
+      if (port->port_name() != std::string("clk_i") && !rtl_.is_quiet(*port))
+        port->sense(this->sensitive);
     if constexpr (has_clock<typename Unit::pins>::value) {
       SC_METHOD(seq);
       this->sensitive << this->clk_i.pos();
@@ -54,14 +55,8 @@ class rtl_twin : public Unit::pins, public probed {
   template <class Pins>
   struct has_clock<Pins, std::void_t<decltype(Pins::clk_i)>> : std::true_type {};
 
-  void comb() {
-    rtl_.settle();
-    rtl_.drive();
-  }
-  void seq() {
-    rtl_.edge();
-    rtl_.drive();
-  }
+  void comb() { rtl_.follow(); }
+  void seq() { rtl_.clock(); }
 
   rtl_instance rtl_;
 };

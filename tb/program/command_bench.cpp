@@ -92,19 +92,25 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
     all.push_back({{"name", label}, {"clocks_per_second", rate}});
     const double beside = base ? base(label, rate) : 0;
     if (beside > 0) all.back()["ratio"] = rate / beside;
+    if (row.contains("evaluations")) all.back()["evaluations_a_clock"] = row.at("evaluations");
     if (json) continue;
     print(fmt::format("{:<34} {:8.2f} M clocks/s", label, rate / 1e6));
-    print(beside > 0 ? fmt::format("  {:5.2f}\n", rate / beside) : "\n");
+    if (beside > 0) print(fmt::format("  {:5.2f}", rate / beside));
+    if (row.contains("evaluations"))
+      print(fmt::format("  {:5.2f} evaluations a clock", row.at("evaluations").get<double>()));
+    print("\n");
   }
 }
 
 // Groups of rows, which may be asked for as a unit may.
 constexpr const char *Levels = "levels", *Engines = "engines", *Traces = "traces", *Mixes = "mixes",
                      *Host = "host";
-constexpr const char* Sweep = "sweep";  // only if it is asked for: it takes minutes
+constexpr const char* Neighbours = "neighbours";  // only if they are asked for: 30 plug-ins
+constexpr const char* Sweep = "sweep";            // only if it is asked for: it takes minutes
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
+constexpr const char *AllRtl = "mix: all RTL", *BareTop = "mix: verilated top, without SystemC";
 constexpr double RealTime = 2 * PixelClockHz;  // clocks a second of the chip
 
 /// Clocks that are counted, and not measured.
@@ -193,10 +199,15 @@ std::string verdict(const Json& worst) {
       worst.at("of_signal").get<double>(), worst.at("of_verilated").get<double>());
 }
 
+std::string mixes_verdict(const Json& all) {
+  return fmt::format("all RTL has {:.2f} of the speed of the verilated top\n",
+                     rate_of(all, AllRtl) / rate_of(all, BareTop));
+}
+
 }  // namespace
 
 std::vector<std::string> bench_rows() {
-  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Host, Sweep};
+  std::vector<std::string> rows = {Levels, Engines, Traces, Mixes, Neighbours, Host, Sweep};
   for (const CountedRows& group : Counted) rows.emplace_back(group.name);
   for (const std::string& part : sweep_parts()) rows.push_back(sweep_name(part));
   for (const unit_row& row : unit_table()) rows.emplace_back(row.name);
@@ -226,7 +237,7 @@ int command_bench(const BenchOptions& options) {
         [&all](const std::string& name, double) {
           return rate_of(all, Signal + name.substr(std::string(Tlm).size()));
         });
-    add(1, [&] { register_verilated(options.repeats); });
+    add(1, [&] { register_verilated(Verilated, options.repeats); });
   }
   const std::size_t levels = groups.size();
   if (wanted(Engines))
@@ -243,11 +254,17 @@ int command_bench(const BenchOptions& options) {
       register_start(options.repeats);
       register_png(options);
     });
-  const Base beside_models = beside_first();
-  if (wanted(Mixes))
-    for (const ChipMix& mix : chip_mixes())
+  const auto add_mixes = [&](const std::vector<ChipMix>& mixes) {
+    const Base beside_models = beside_first();
+    for (const ChipMix& mix : mixes)
       add(
           1, [&options, mix] { register_mix(mix, options); }, beside_models);
+  };
+  if (wanted(Mixes)) {
+    add(1, [&] { register_verilated(BareTop, options.repeats, true); });
+    add_mixes(chip_mixes());
+  }
+  if (!options.rows.empty() && wanted(Neighbours)) add_mixes(neighbour_mixes());
   for (const unit_row& row : unit_table())
     if (wanted(row.name)) add(1, [&] { register_unit(row, options.repeats); });
 
@@ -261,6 +278,7 @@ int command_bench(const BenchOptions& options) {
     worst = slowest_tlm(all);
     if (!options.json) print(verdict(worst));
   }
+  if (wanted(Mixes) && !options.json) print(mixes_verdict(all));
   std::map<std::string, Json> counted;
   for (const CountedRows& group : Counted) {
     if (!wanted(group.name) || (group.if_named && options.rows.empty())) continue;
@@ -277,6 +295,8 @@ int command_bench(const BenchOptions& options) {
                 {"frames", options.frames},
                 {"medians", all}};
     if (wanted(Levels)) report["slowest_tlm"] = worst;
+    if (wanted(Mixes))
+      report["all_rtl_of_verilated"] = rate_of(all, AllRtl) / rate_of(all, BareTop);
     for (const auto& [name, rows] : counted) report[name] = rows;
     print(report.dump(2) + "\n");
   }
@@ -289,9 +309,9 @@ void add_options(const CommandOptions& command, BenchOptions& options) {
   command
       .add_option(
           "row", options.rows,
-          "Only these: levels, engines, traces, mixes, host, store, spheres, cores, pictures, "
-          "sweep, a part of it such as sweep-causes, or units; pictures takes seconds and "
-          "sweep minutes: they are run only if they are named")
+          "Only these: levels, engines, traces, mixes, neighbours, host, store, spheres, cores, "
+          "pictures, sweep, a part of it such as sweep-causes, or units; pictures takes seconds, "
+          "neighbours and sweep minutes: they are run only if they are named")
       .type_name("ROW");
   add_number(command, "--frames", options.frames, "Frames of each demo part, 1..1000",
              is_number_in("--frames", 1, 1000))

@@ -4,9 +4,11 @@
 
 #include <iterator>
 #include <memory>
+#include <set>
 
 #include "sc/beam/engine.h"
 #include "sc/beam/units.h"
+#include "sc/swap/rtl_run.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/spread_frames.h"
 #include "tb/bench/signal_bench.h"
@@ -113,20 +115,21 @@ void register_tlm_parts(const Effort& effort) {
          effort.repeats);
 }
 
-void register_verilated(int repeats) {
+void register_verilated(const std::string& name, int repeats, bool alone) {
   const TtProject project = read_tt_project(rtl_folder());
   const auto chip = std::make_shared<TtChip>(make_chip_plugin(project.top, project.sources),
                                              project.source_folder, TilePins{});
   chip->reset(1);
-  set_up(benchmark::RegisterBenchmark("verilated: tt_um_racebeam",
-                                      [chip](benchmark::State& state) {
-                                        const int clocks = Raster().frame_clocks();
-                                        std::vector<PinChange> changes;
-                                        for (auto _ : state) chip->run(clocks, changes);
-                                        state.counters["clocks"] =
-                                            benchmark::Counter(clocks, benchmark::Counter::kIsRate);
-                                      }),
-         repeats);
+  const auto how = alone ? set_up_alone : set_up;
+  how(benchmark::RegisterBenchmark(name.c_str(),
+                                   [chip](benchmark::State& state) {
+                                     const int clocks = Raster().frame_clocks();
+                                     std::vector<PinChange> changes;
+                                     for (auto _ : state) chip->run(clocks, changes);
+                                     state.counters["clocks"] =
+                                         benchmark::Counter(clocks, benchmark::Counter::kIsRate);
+                                   }),
+      repeats);
 }
 
 std::vector<ChipMix> chip_mixes() {
@@ -148,9 +151,41 @@ std::vector<ChipMix> chip_mixes() {
   return mixes;
 }
 
+std::vector<ChipMix> neighbour_mixes() {
+  const UseOption use(beam_engine(), knobs(), nullptr);
+  const std::vector<std::string> units = chip_units(false);
+  std::vector<ChipMix> mixes = {{"all models", {}}};
+  for (auto one = units.begin(); one != units.end(); ++one)
+    for (auto other = one + 1; other != units.end(); ++other) {
+      ChipMix mix{*one + ", " + *other, {}};
+      use.use(mix.units, *one + "=rtl," + *other + "=rtl");
+      use.join(mix.units);
+      if (!mix.units.of(*one).island.empty()) mixes.push_back(mix);
+    }
+  return mixes;
+}
+
 void register_mix(const ChipMix& mix, const Effort& effort) {
-  const SignalBench::Options chip{{}, false, false, false, nullptr, mix.units};
-  register_frames("mix: " + mix.name, std::make_shared<SignalBench>(chip), MixFrame, effort);
+  const auto bench = std::make_shared<SignalBench>(
+      SignalBench::Options{{}, false, false, false, nullptr, mix.units});
+  std::set<std::string> plugins;  // an island is one
+  for (const auto& named : mix.units.by_unit)
+    plugins.insert(named.second.island.empty() ? named.second.plugin : named.second.island);
+  set_up_alone(
+      benchmark::RegisterBenchmark(
+          ("mix: " + mix.name).c_str(),
+          [bench, models = plugins.size(), frames = effort.frames](benchmark::State& state) {
+            bench->seek(MixFrame);
+            const auto before = bench->clocks(), evaluations = rtl_evaluations();
+            for (auto _ : state)
+              for (int f = 0; f < frames; ++f) bench->render();
+            const auto clocks = static_cast<double>(bench->clocks() - before);
+            state.counters["clocks"] = benchmark::Counter(clocks, benchmark::Counter::kIsRate);
+            if (models > 0)
+              state.counters["evaluations"] = static_cast<double>(rtl_evaluations() - evaluations) /
+                                              clocks / static_cast<double>(models);
+          }),
+      effort.repeats);
 }
 
 }  // namespace racebeam

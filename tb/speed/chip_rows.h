@@ -28,8 +28,9 @@ int part_count();
 /// spread.
 void register_tlm_parts(const Effort& effort);
 
-/// The chip's RTL behind Tiny Tapeout pins, verilated, without SystemC: a frame.
-void register_verilated(int repeats);
+/// The chip's RTL behind Tiny Tapeout pins, verilated, without SystemC: a frame. `name`: of the
+/// row; `alone`: by processor time.
+void register_verilated(const std::string& name, int repeats, bool alone = false);
 
 /// All models in a busy frame: rows "trace: ..." for what the flight recorder, waveforms and a
 /// condition cost.
@@ -43,7 +44,9 @@ struct ChipMix {
 };
 /// All models first; each unit as RTL; all RTL; all in lockstep.
 std::vector<ChipMix> chip_mixes();
-/// In one part of the demo.
+/// All models first; each two units that touch each other as RTL.
+std::vector<ChipMix> neighbour_mixes();
+/// In one part of the demo, by processor time, with evaluations of RTL a clock.
 void register_mix(const ChipMix& mix, const Effort& effort);
 
 }  // namespace racebeam

@@ -10,7 +10,11 @@
 namespace racebeam {
 
 benchmark::internal::Benchmark* set_up(benchmark::internal::Benchmark* b, int repeats) {
-  return b->Iterations(1)->Repetitions(repeats)->UseRealTime()->Unit(benchmark::kMillisecond);
+  return set_up_alone(b, repeats)->UseRealTime();
+}
+
+benchmark::internal::Benchmark* set_up_alone(benchmark::internal::Benchmark* b, int repeats) {
+  return b->Iterations(1)->Repetitions(repeats)->Unit(benchmark::kMillisecond);
 }
 
 namespace {

@@ -13,6 +13,8 @@ namespace racebeam {
 
 /// One iteration, `repeats` times, in real time.
 benchmark::internal::Benchmark* set_up(benchmark::internal::Benchmark* b, int repeats);
+/// The same by the processor time of its one thread, which others on the machine change less.
+benchmark::internal::Benchmark* set_up_alone(benchmark::internal::Benchmark* b, int repeats);
 
 /// Runs what `prepare` registers and returns Google Benchmark's rows. `row_done` is called in the
 /// child after each of them. Throws std::runtime_error with what an exception in the child said.

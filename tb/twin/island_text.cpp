@@ -27,6 +27,7 @@ class Wires {
         if (port.name == unit.syntax.clock) continue;
         Wire& wire = wires_[wire_name(port.name)];
         wire.is_driven |= drives(port);
+        wire.is_late &= unit.quiet.count(port.name) != 0;
         if (wire.bits != 0 && wire.bits != port.bits)
           throw RtlError(fmt::format("{} of {} is {} bits wide, and others have it with {}",
                                      port.name, unit.unit, port.bits, wire.bits));
@@ -36,20 +37,23 @@ class Wires {
   /// What a unit has at the port.
   std::string at(const std::string& port) const {
     const auto& named = *wires_.find(wire_name(port));
-    return named.second.is_driven ? text(named) : held(text(named));
+    return named.second.is_driven || named.second.is_late ? text(named) : held(text(named));
   }
-  std::string outputs() const {
+  /// As ports, those that are driven, and those from outside that are late.
+  std::string ports() const {
     std::string list;
     for (const auto& named : wires_)
-      if (named.second.is_driven)
-        list += fmt::format(",\n  output wire [{}:0] {}", named.second.bits - 1, text(named));
+      if (named.second.is_driven || named.second.is_late)
+        list += fmt::format(",\n  {} wire [{}:0] {}", named.second.is_driven ? "output" : "input",
+                            named.second.bits - 1, text(named));
     return list;
   }
-  /// Name and bits of each wire from outside.
+  /// Name and bits of each other wire from outside.
   std::vector<std::pair<std::string, int>> inputs() const {
     std::vector<std::pair<std::string, int>> all;
     for (const auto& named : wires_)
-      if (!named.second.is_driven) all.emplace_back(text(named), named.second.bits);
+      if (!named.second.is_driven && !named.second.is_late)
+        all.emplace_back(text(named), named.second.bits);
     return all;
   }
   static std::string held(const std::string& input) { return input + "_held"; }
@@ -58,9 +62,11 @@ class Wires {
   struct Wire {
     int bits = 0;
     bool is_driven = false;
+    bool is_late = true;  // for all that read it
   };
   static std::string text(const std::pair<const std::string, Wire>& named) {
-    return named.first + (named.second.is_driven ? "_o" : "_i");
+    if (named.second.is_driven) return named.first + "_o";
+    return (named.second.is_late ? IslandLate : "") + named.first + "_i";
   }
   std::map<std::string, Wire> wires_;
 };
@@ -100,7 +106,7 @@ std::vector<std::vector<std::size_t>> islands_among(const std::vector<IslandUnit
 
 std::string island_text(const std::vector<IslandUnit>& units) {
   const Wires wires(units);
-  std::string ports = fmt::format("\n  input wire {}", IslandTick) + wires.outputs();
+  std::string ports = fmt::format("\n  input wire {}", IslandTick) + wires.ports();
   std::string body = pulse(IslandClock, IslandTick, "");
   auto inputs = wires.inputs();
   for (const IslandUnit& unit : units) {

@@ -12,6 +12,7 @@
 #include "tb/base/output_file.h"
 #include "tb/base/project_folder.h"
 #include "tb/verilate/cache_folder.h"
+#include "tb/verilate/comb_paths.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/rtl_syntax.h"
 #include "tb/verilate/source_list.h"
@@ -83,6 +84,7 @@ IslandUnit PluginMaker::island_unit(const std::string& unit, const std::string& 
   IslandUnit one{unit, instance, {}, back_door, read_rtl_syntax(own_sources(unit))};
   for (const Setting& setting : settings(unit))
     one.parameters.push_back(setting.name + "=" + setting.value);
+  if (!traced_) one.quiet = quiet_inputs(own_rtl(unit));
   return one;
 }
 

@@ -6,11 +6,13 @@
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include "sc/swap/rtl_library.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/clock_wrapper.h"
+#include "tb/verilate/comb_paths.h"
 #include "tb/verilate/elaborated.h"
 #include "tb/verilate/making_line.h"
 #include "tb/verilate/plugin_compiler.h"
@@ -56,7 +58,8 @@ std::string of_rtl(const std::string& signal, const std::string& wrapper, const 
 }
 
 /// KIND FILE:LINE NAME, one a line.
-std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& circular) {
+std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& circular,
+                    const std::set<std::string>& quiet) {
   std::string text;
   const auto add = [&](const std::string& kind, const RtlSyntax::Place& place) {
     text += kind + " " + text_of(place) + "\n";
@@ -66,6 +69,8 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
   for (const auto& place : syntax.falling) add("falling", place);
   for (const auto& place : syntax.loops) add("loop", place);
   for (const auto& place : syntax.calls) add("call", place);
+  for (const RtlSyntax::Port& port : syntax.ports)
+    if (quiet.count(port.name) != 0) add("quiet", port.place);
   for (const std::string& signal : circular) text += "circular " + signal + "\n";
   const std::string inside = std::string(Wrapper) + "." + Wrapped + ".";
   for (std::size_t at = 0; (at = text.find(inside, at)) != std::string::npos;)
@@ -98,14 +103,15 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
 }
 
 std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& made_with,
-                  const std::vector<std::string>& circular) {
+                  const std::vector<std::string>& circular, const std::set<std::string>& quiet) {
   std::string parameters;
   for (const std::string& setting : made_with) parameters += setting + " ";
   for (const RtlSyntax::Parameter& parameter : syntax.parameters)
     if (!parameter.value.empty()) parameters += parameter.name + "=" + parameter.value + " ";
   return "extern const char* const rtl_unit = " + c_string(syntax.top.name) +
          ";\nextern const char* const rtl_parameters = " + c_string(parameters) +
-         ";\nextern const char* const rtl_remarks = " + c_string(remarks(syntax, circular)) + ";\n";
+         ";\nextern const char* const rtl_remarks = " + c_string(remarks(syntax, circular, quiet)) +
+         ";\n";
 }
 
 /// "stacks (mine.sv and 1 more)".
@@ -137,6 +143,12 @@ void remove_classes(const WorkFolder& work) {
   for (const fs::path& file : classes) fs::remove(file);
 }
 
+/// Inputs that need not be seen before the edge. Whoever looks inside sees all of them at once.
+std::set<std::string> late_inputs(const RtlSources& sources, const RtlSyntax& syntax) {
+  if (syntax.clock.empty() || sources.signals || sources.coverage) return {};
+  return quiet_inputs(sources);
+}
+
 /// The plug-in of what `elaborated` has named `content`. Throws Changed if that is not what was
 /// read.
 void make(RtlSources sources, const std::string& content, const std::string& out) {
@@ -158,8 +170,8 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
-  compile_plugin(work, known, texts(syntax, whole.made_with, circular), sources.coverage,
-                 line.tick(), out);
+  compile_plugin(work, known, texts(syntax, whole.made_with, circular, late_inputs(whole, syntax)),
+                 sources.coverage, line.tick(), out);
 }
 
 }  // namespace
