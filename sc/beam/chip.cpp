@@ -348,7 +348,7 @@ chip_view chip::view() const {
           second.read(),
           wall.read(),
           emit.read(),
-          u_subdivider->ack_i.read(),  // not that of the FIFO, if there are registers between
+          u_subdivider->ack_i.value() != 0,  // not that of the FIFO, if there are registers between
           line_done.read(),
           restart.read(),
           starving.read(),

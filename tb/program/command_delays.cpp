@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -44,6 +45,9 @@ int delays_new(const Options& options) {
     print(text);
     return ExitGood;
   }
+  std::error_code ignored;
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.output, ignored)))
+    throw UsageError(options.output + " exists; choose another name, or remove it first");
   write_text(options.output, text);
   tell("wrote " + options.output);
   return ExitGood;

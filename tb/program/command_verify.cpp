@@ -78,7 +78,7 @@ std::string repeat_text(const VerifyOptions& options, const std::string& unit, l
       options.power_up > 0 ? fmt::format(" --power-up {}", options.power_up) : "";
   return repeat_text(options, unit,
                      fmt::format(" --frames {} --random {} --seed {}{}{}", frames, random,
-                                 options.seed, starts, options.text()));
+                                 options.seed, starts, options.text() + options.delays_text()));
 }
 
 /// The first clock of a frame or picture, as `trace --from` takes it.

@@ -100,7 +100,7 @@ class DelayedTop : public testing::TestWithParam<Variant> {
   ScratchFolder folder;
 };
 
-// 7223 starves much; the lock effect is in 12400.
+// In 5000 and 7223 the beam starves.
 TEST_P(DelayedTop, PinsAreThoseForetoldInEveryClock) {
   EXPECT_EQ(differences(plan_of(GetParam()), {0, 1, 5000, 7223}), 0u);
 }

@@ -105,6 +105,15 @@ TEST_F(CliDelaysTest, TheTemplateOfEachEngineIsReadAndDelaysNothing) {
   EXPECT_EQ(with.out(), without.out());
 }
 
+TEST_F(CliDelaysTest, AFileThatIsThereStays) {
+  std::ofstream(folder / "d.toml") << "mine";
+  expect_refused({"delays", "new", "-o", "d.toml"}, {"d.toml exists"});
+  std::ifstream left(folder / "d.toml");
+  std::string word;
+  left >> word;
+  EXPECT_EQ(word, "mine");
+}
+
 TEST_F(CliDelaysTest, SlackEndsWhereMorePixelsStarve) {
   Program run(folder.path(), {"delays", "run", "demo", "--at", "7223", "--max", "2", "--json"});
   ASSERT_EQ(run.wait(), 0) << run.err();
