@@ -10,8 +10,12 @@ namespace racebeam {
 
 namespace {
 
-constexpr int ShortEpisode = 400, LongEpisode = 8000;  // at most
-constexpr int ResetPace[] = {8, 64, 1000, 0};
+constexpr int Shortest = 8, Doublings = 10;  // clocks; the longest has nearly 16,384
+constexpr int LongEpisode = 512;             // from here on without resets
+constexpr int ResetPace[] = {8, 64, 0, 0, 0, 0};
+constexpr int Pace[] = {0, 1, 1, 1, 4, 16};
+constexpr int On[] = {0, 1, 8, 32, 32, 56, 63, 64};  // of 64
+constexpr int OnOf = 64;
 
 }  // namespace
 
@@ -19,24 +23,40 @@ RandomTraffic::RandomTraffic(UnitBench& bench, LegalInputs legal, unsigned seed)
     : legal_(std::move(legal)), random_(seed) {
   for (UnitBench::Pin* pin : bench.pins()) {
     if (!pin->input) continue;
-    inputs_.push_back({pin, reset_value(pin->name)});
+    inputs_.push_back({pin, {}, reset_value(pin->name)});
+    Input& input = inputs_.back();
+    for (const UnitBench::Pin* other : bench.pins())
+      if (!other->input && other->bits == pin->bits) input.outputs.push_back(other);
     // Before a reset the registers have no value.
-    if (inputs_.back().reset >= 0) pin->drive(static_cast<std::uint64_t>(inputs_.back().reset));
+    if (input.reset >= 0) pin->drive(static_cast<Raw>(input.reset));
   }
 }
 
 void RandomTraffic::begin_episode() {
-  const bool is_long = below(8) == 0;
-  left_ = 1 + below(is_long ? LongEpisode : ShortEpisode);
-  reset_every_ = is_long ? 0 : ResetPace[below(4)];
-  for (Input& input : inputs_) input.manner = static_cast<Manner>(below(Manners));
+  int length = Shortest;
+  for (int n = 0; n < Doublings && one_of(2); ++n) length *= 2;
+  left_ = length + below(length);
+  reset_every_ = length < LongEpisode ? ResetPace[below(std::size(ResetPace))] : 0;
+  kinds_ = 1 + below(std::size(shared_));
+  for (Raw& value : shared_) value = any_value();
+  const bool quiet = one_of(4);  // most inputs are held
+  const bool anew = one_of(4);   // all inputs, otherwise some go on as they did
+  for (Input& input : inputs_)
+    if (anew || !one_of(3)) begin(input, quiet);
   if (at_episodes_) at_episodes_(random_());
 }
 
+void RandomTraffic::begin(Input& input, bool quiet) {
+  input.source = static_cast<Source>(below(Counting + 1));
+  input.pace = quiet && !one_of(4) ? 0 : Pace[below(std::size(Pace))];
+  input.on = On[below(std::size(On))];
+  input.step = one_of(4) ? ~Raw{0} : 1;
+}
+
 // Around 0, the largest value, the sign, and powers of two.
-std::uint64_t RandomTraffic::boundary(int bits) {
-  const std::uint64_t one = 1, power = one << below(bits);
-  const auto some = [this](int limit) { return static_cast<std::uint64_t>(below(limit)); };
+RandomTraffic::Raw RandomTraffic::boundary(int bits) {
+  const Raw one = 1, power = one << below(bits);
+  const auto some = [this](int limit) { return static_cast<Raw>(below(limit)); };
   switch (below(4)) {
     case 0: return some(3) - 1;
     case 1: return (one << (bits - 1)) - some(3) + 1;
@@ -45,9 +65,36 @@ std::uint64_t RandomTraffic::boundary(int bits) {
   }
 }
 
-std::uint64_t RandomTraffic::any_value(int bits) {
-  const std::uint64_t low = random_();
-  return bits > 32 ? static_cast<std::uint64_t>(random_()) << 32 | low : low;
+RandomTraffic::Raw RandomTraffic::any_value() {
+  const Raw low = random_();
+  return static_cast<Raw>(random_()) << 32 | low;
+}
+
+RandomTraffic::Raw RandomTraffic::from(Source source, const Input& input) {
+  const int bits = input.pin->bits;
+  switch (source) {
+    case Small: {
+      const Raw size = any_value() & ((Raw{1} << below(bits)) - 1);
+      return one_of(2) ? size : ~size;
+    }
+    case Boundary: return boundary(bits);
+    case Shared: return shared_[below(kinds_)];
+    case Neighbour: return one_of(2) ? input.value + 1 : input.value - 1;
+    case Echo:
+      if (!input.outputs.empty())
+        return input
+            .outputs[static_cast<std::size_t>(below(static_cast<int>(input.outputs.size())))]
+            ->value();
+      [[fallthrough]];
+    default: return any_value();
+  }
+}
+
+RandomTraffic::Raw RandomTraffic::fresh(const Input& input) {
+  if (input.pin->bits == 1)
+    return input.source == Echo ? from(Echo, input) : static_cast<Raw>(below(OnOf) < input.on);
+  if (input.source == Mixed) return from(static_cast<Source>(below(Sources)), input);
+  return from(input.source, input);
 }
 
 void RandomTraffic::next() {
@@ -57,14 +104,14 @@ void RandomTraffic::next() {
   for (Input& input : inputs_) {
     UnitBench::Pin& pin = *input.pin;
     if (input.reset >= 0) {
-      const bool now = begins ? below(2) == 0 : reset_every_ > 0 && below(reset_every_) == 0;
-      pin.drive(static_cast<std::uint64_t>(now ? input.reset : 1 - input.reset));
+      const bool now = begins ? one_of(6) : reset_every_ > 0 && one_of(reset_every_);
+      pin.drive(static_cast<Raw>(now ? input.reset : 1 - input.reset));
       continue;
     }
-    if (!begins && (input.manner == Held || (input.manner == Seldom && below(16) != 0))) continue;
-    if (input.manner == Boundary) input.value = boundary(pin.bits);
-    else if (input.manner == Counting && !begins) input.value += below(8) == 0 ? 2 : 1;
-    else input.value = any_value(pin.bits);
+    if (!begins && (input.pace == 0 || !one_of(input.pace))) continue;
+    if (input.source == Counting && pin.bits > 1 && !begins)
+      input.value += one_of(8) ? 2 * input.step : input.step;
+    else input.value = fresh(input);
     pin.drive(legal_.of(pin.name, raw_bits(input.value, pin.bits)));
   }
 }

@@ -1,9 +1,11 @@
 // Stimulus that the chip never makes: random values on all inputs of a unit, in short episodes.
 //
-// Each episode draws anew how each input behaves: held, random, at the boundaries of its width,
-// seldom changed, or counting up with skips; and how often resets come, if at all. Short episodes
-// with fresh settings reach states that one long run of the same noise does not; one in eight is
-// long, for what only a line or a flight without reset reaches.
+// Most inputs behave anew in each episode: held, random, small, at the boundaries of their width,
+// one of a few values that all inputs share, beside the last one, as an output of the unit was, or
+// counting, all that in each clock or seldom; an input of one bit is on from never to always. Some
+// episodes are quiet, so that what takes many clocks is not disturbed, and some have resets. Half
+// of the episodes are the shortest and each next length has half as many, so that all lengths have
+// the same share of the clocks, up to what only a line or a flight without reset reaches.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -30,23 +32,35 @@ class RandomTraffic {
   void next();
 
  private:
-  enum Manner { Held, Random, Boundary, Seldom, Counting, Manners };
+  using Raw = std::uint64_t;
+  /// Where a new value comes from.
+  enum Source { Any, Small, Boundary, Shared, Neighbour, Echo, Sources, Mixed = Sources, Counting };
   struct Input {
     UnitBench::Pin* pin;
-    int reset = -1;  ///< value that resets, -1: not a reset
-    Manner manner = Random;
-    std::uint64_t value = 0;  ///< before it is made legal
+    std::vector<const UnitBench::Pin*> outputs;  ///< that are as wide
+    int reset = -1;                              ///< value that resets, -1: not a reset
+    Source source = Any;
+    int pace = 1;   ///< clocks between new values, on average; 0: held
+    int on = 32;    ///< how often one bit is 1, of 64
+    Raw step = 1;   ///< of what counts
+    Raw value = 0;  ///< before it is made legal
   };
 
   void begin_episode();
+  void begin(Input& input, bool quiet);
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
-  std::uint64_t boundary(int bits);
-  std::uint64_t any_value(int bits);
+  bool one_of(int count) { return below(count) == 0; }
+  Raw fresh(const Input& input);
+  Raw from(Source source, const Input& input);
+  Raw boundary(int bits);
+  Raw any_value();
 
   const LegalInputs legal_;
   std::mt19937 random_;
   std::vector<Input> inputs_;
   std::function<void(unsigned)> at_episodes_;
+  Raw shared_[4]{};
+  int kinds_ = 1;        // of them, that are in use
   int left_ = 0;         // clocks of the episode
   int reset_every_ = 0;  // clocks between resets, on average; 0: none
 };

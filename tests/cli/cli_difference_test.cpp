@@ -160,7 +160,10 @@ TEST_F(CliDifferenceTest, SaysThatAnOutputComesOneClockLate) {
              "logic [1:0] late_q;\n"
              "  always_ff @(posedge clk_i) late_q <= head_only ? head_value_q : tail_value_q;\n"
              "  assign display_o = late_q;");
-  ASSERT_EQ(run({"verify", "interval_fifo=mine.sv", "--frames", "0", "--random", "20000"}), 1);
+  // In this traffic the display changes three times in the clocks that the hint looks at.
+  ASSERT_EQ(
+      run({"verify", "interval_fifo=mine.sv", "--frames", "0", "--random", "20000", "--seed", "5"}),
+      1);
   EXPECT_THAT(said, HasSubstr("port display_o differs on random traffic"));
   EXPECT_THAT(said, HasSubstr("hint: the RTL is one clock late: in 65 clocks from the difference "
                               "on its display_o is the model's of one clock before"));
