@@ -28,11 +28,13 @@
 #include "tb/program/verify_stream.h"
 #include "tb/program/verify_unit.h"
 #include "tb/program/verify_watch.h"
+#include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/trace/difference_wave.h"
 #include "tb/twin/lockstep_report.h"
 #include "tb/twin/twins.h"
 #include "tb/twin/use_option.h"
+#include "tb/verilate/gate_netlist.h"
 
 namespace racebeam {
 
@@ -64,6 +66,14 @@ std::string word_of(const VerifyOptions& options, const std::string& unit) {
   for (const std::string& word : options.units)
     if (word.rfind(unit + "=", 0) == 0) return word;
   return unit;
+}
+
+/// UNIT=FILE: built with signals inside, so that a difference can be told with its registers. A
+/// whole chip and gates have too many.
+bool is_file_of_unit(const std::string& word, const engine& of) {
+  const auto equals = word.find('=');
+  return equals != std::string::npos && word.substr(0, equals) != of.top &&
+         !gate_word(word.substr(equals + 1));
 }
 
 /// `rest`: what else it takes, with a space before it.
@@ -179,6 +189,13 @@ UnitVerdict verify_alone(const VerifyOptions& options, const UnitUnderTest& dut,
   });
 }
 
+/// The same with signals inside: of the project's own RTL, which has none where nothing differs.
+UnitUnderTest readable(UnitUnderTest dut, const VerifyOptions& options) {
+  if (word_of(options, dut.unit) == dut.unit)
+    dut.plugin = twins_of(engine_of(dut.k)).plugins(dut.k, dut.scene, true).own(dut.unit);
+  return dut;
+}
+
 /// What was found alone, in few clocks; as it was, if that is not to be had.
 void shrink(UnitVerdict& verdict, const VerifyOptions& options, const UnitUnderTest& dut,
             Stimulus stimulus) {
@@ -187,8 +204,9 @@ void shrink(UnitVerdict& verdict, const VerifyOptions& options, const UnitUnderT
   try {
     const UnitVerdict shrunk = in_a_process(dut.unit, verdict.traffic.c_str(), [&] {
       UnitVerdict small = found;
-      shrink_difference(*small.first, dut, stimulus, static_cast<unsigned>(options.seed),
-                        options.folder, repeat_text(options, dut.unit, ""));
+      shrink_difference(*small.first, readable(dut, options), stimulus,
+                        static_cast<unsigned>(options.seed), options.folder,
+                        repeat_text(options, dut.unit, ""));
       return small;
     });
     if (shrunk.first) verdict = shrunk;
@@ -330,8 +348,10 @@ int command_verify(const VerifyOptions& options) {
   auto [show, level, k, choices] = plan_verify(options);
   const bool inside = options.power_up > 0 || !options.bench.empty();
   const UseOption use(show.engine(), k, show.tables(), inside);
+  const UseOption use_readable(show.engine(), k, show.tables(), true);
   if (options.units.empty()) use.lockstep(choices, "all");
-  for (const std::string& unit : options.units) use.lockstep(choices, unit);
+  for (const std::string& word : options.units)
+    (is_file_of_unit(word, show.engine()) ? use_readable : use).lockstep(choices, word);
   leave_out_whole_chip(show.engine(), options, options.units, choices);
   catch_interrupts();
   std::vector<UnitVerdict> verdicts;

@@ -106,8 +106,10 @@ void shrink_difference(FirstDifference& first, const UnitUnderTest& dut, Stimulu
                                               "{}",
                                               first.clock, traffic, seed, head),
                                   first.shrunk->repeat}));
+  const RegisterHistory& registers = twins.remember_registers();
   const std::string table = player.tell(stream, [&](const LockstepDifference& difference) {
-    return difference_table(focused(difference, stream));
+    return difference_table(registers.beside(focused(difference, stream))) +
+           registers.text(difference);
   });
   first.text +=
       fmt::format("shrunk to {}; the model has {:#x}, the RTL {:#x}:\n{}{}\nrepeat: {}\n", head,
@@ -119,6 +121,7 @@ UnitVerdict verify_stream(const UnitUnderTest& dut, const std::string& file,
   TwinBench twins(dut);
   const Lockstep& lockstep = twins.lockstep();
   const PortStream stream = read_stream(file, twins.form());
+  const RegisterHistory& registers = twins.remember_registers();
   const auto start = std::chrono::steady_clock::now();
   twins.play(stream);
   UnitVerdict verdict{dut.unit,
@@ -131,15 +134,16 @@ UnitVerdict verify_stream(const UnitUnderTest& dut, const std::string& file,
                       lockstep.fault().value_or("")};
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto& d = lockstep.first())
-    verdict.first = FirstDifference{
-        d->port,
-        d->clock,
-        d->expected,
-        d->got,
-        {},
-        explain(*d, {"on the stream " + file, repeat, "",
-                     save_unit_window(*d, verdict.traffic, dut.k, folder), knobs_text(dut.k)}),
-        {}};
+    verdict.first =
+        FirstDifference{d->port,
+                        d->clock,
+                        d->expected,
+                        d->got,
+                        {},
+                        explain(*d, {"on the stream " + file, repeat, "",
+                                     save_unit_window(*d, verdict.traffic, dut.k, folder),
+                                     knobs_text(dut.k), &registers}),
+                        {}};
   return verdict;
 }
 

@@ -57,6 +57,7 @@ class Lockstep : public sc_core::sc_module, public probed {
   std::string output(int number) const {
     return rtl_.outputs().at(static_cast<std::size_t>(number)).rtl.name();
   }
+  std::size_t outputs() const { return rtl_.outputs().size(); }
   /// Clocks so far. All outputs were compared in each but the first, before any edge: registers
   /// have no defined value until they are reset.
   std::uint64_t clocks() const { return clocks_; }
@@ -72,8 +73,8 @@ class Lockstep : public sc_core::sc_module, public probed {
   /// The next difference is the first one.
   void forget() { first_.reset(); }
 
-  /// The RTL's side: outputs and, where they can be read, signals inside. To be read after
-  /// settle(), when the wires have settled.
+  /// The RTL's side: first the outputs, then, where they can be read, signals inside. To be read
+  /// after settle(), when the wires have settled.
   std::vector<probe> probes() const override;
   void settle();
 

@@ -55,11 +55,12 @@ std::string explain(const LockstepDifference& d, const DifferenceContext& contex
       "{}: port {} differs {} ({} clocks compared):\n"
       "  the model has {:#x}, the RTL {:#x}\n{}{}"
       "clocks, 0 is that of the difference; values are hexadecimal, {} marks those of the RTL that "
-      "differ:\n{}"
+      "differ:\n{}{}"
       "knobs: {}\n{}repeat: {}\n{}",
       d.unit, d.port, context.where, d.clock, d.expected, d.got,
       d.wiring.empty() ? "" : d.wiring + "\n", difference_hints(d), DifferenceMark,
-      difference_table(d), context.knobs,
+      difference_table(context.registers ? context.registers->beside(d) : d),
+      context.registers ? context.registers->text(d) : "", context.knobs,
       context.window.empty() ? "" : "waveform: " + context.window + "\n", context.repeat,
       context.closer.empty() ? "" : "all signals: " + context.closer + "\n");
 }

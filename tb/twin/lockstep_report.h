@@ -9,6 +9,7 @@
 
 #include "tb/monitor/raster.h"
 #include "tb/twin/lockstep.h"
+#include "tb/twin/register_history.h"
 
 namespace racebeam {
 
@@ -34,6 +35,7 @@ struct DifferenceContext {
   std::string closer;  ///< the command that traces all signals around it; empty: none
   std::string window;  ///< file of the waveform; empty: none
   std::string knobs;   ///< "default", or those that are not
+  const RegisterHistory* registers = nullptr;  ///< of both sides, if they were taken
 };
 
 /// A command that traces all signals around a difference, looked for from `from` on. `rest`: --use

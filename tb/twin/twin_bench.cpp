@@ -107,12 +107,15 @@ void TwinBench::play(const PortStream& stream) {
   const bool fresh = begin == 0;  // then the first edge comes before a change
   if (fresh) drive(stream, 0);
   drive_each([&, clock = std::uint64_t{fresh}]() mutable {
+    if (registers_) registers_->take(lockstep_.clocks());  // of the edge that has been
     if (clock < stream.clocks()) drive(stream, clock++);
   });
   while (lockstep_.clocks() < end && !lockstep_.first() && !lockstep_.fault())
     bench_.clock(static_cast<int>(std::min(Batch, end - lockstep_.clocks())));
   next_ = [] {};
 }
+
+RegisterHistory& TwinBench::remember_registers() { return registers_.emplace(*model_, lockstep_); }
 
 void TwinBench::drive_each(std::function<void()> next) {
   if (!next_) bench_.between_edges([this] { next_(); });

@@ -9,10 +9,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "tb/twin/lockstep.h"
 #include "tb/twin/port_stream.h"
 #include "tb/twin/port_traffic.h"
+#include "tb/twin/register_history.h"
 #include "tb/twin/unit_bench.h"
 #include "tb/twin/unit_under_test.h"
 
@@ -42,6 +44,9 @@ class TwinBench {
   /// All of `stream`, or as far as shortly after the first difference in it, which is the
   /// lockstep's. Its clock 0 follows on what was played before.
   void play(const PortStream& stream);
+  /// From the next stream that is played on the registers of both sides are taken in each clock but
+  /// the first; to be called at power-up, and read after play().
+  RegisterHistory& remember_registers();
   /// What the ports of the model have in each clock of `stream`.
   PortTraffic model_traffic(const PortStream& stream);
 
@@ -56,8 +61,9 @@ class TwinBench {
   std::unique_ptr<sc_core::sc_module> model_;
   Lockstep lockstep_;
   UnitBench bench_;
-  sequencer_pins* const counter_;         // of frames; nullptr: it counts none
-  std::function<void()> next_;            // new values
+  sequencer_pins* const counter_;  // of frames; nullptr: it counts none
+  std::function<void()> next_;     // new values
+  std::optional<RegisterHistory> registers_;
   std::function<void(int frame)> seeks_;  // is told
 };
 

@@ -83,6 +83,29 @@ TEST_F(CliShrinkTest, TheTableHasOnlyWhatMovesAndTheFileIsTheSameEachTime) {
   EXPECT_EQ(read_file(folder / stream), file);
 }
 
+TEST_F(CliShrinkTest, TheRegisterThatDiffersFirstIsToldWithBothSides) {
+  write_mine("interval_fifo", "head_len_q <= head_len_d;", "head_len_q <= head_len_d ^ 10'd4;");
+  ASSERT_EQ(run({"verify", "interval_fifo=mine.sv", "--frames", "0", "--random", "20000"}), 1);
+  const std::string text = said.substr(said.find("\nshrunk to "));
+  EXPECT_THAT(text, testing::ContainsRegex("\n  head_len_q model +[0-9a-f]"));
+  EXPECT_THAT(text, testing::ContainsRegex("\n  head_len_q rtl +[^\n]*>[0-9a-f]"));
+  EXPECT_THAT(text,
+              testing::ContainsRegex("\nregisters: head_len_q differs? first, in clock -?[0-9]+"
+                                     "; [0-9]+ of the 13 registers named alike do"));
+  ASSERT_EQ(run({"verify", "interval_fifo=mine.sv", "--stream",
+                 "racebeam_verify/interval_fifo_random.stream"}),
+            1);
+  EXPECT_THAT(said, testing::ContainsRegex("\n  head_len_q rtl +[^\n]*>[0-9a-f]"));
+}
+
+TEST_F(CliShrinkTest, RegistersThatAgreePointToWhatIsComputedFromThem) {
+  write_faulty_stacks();
+  ASSERT_EQ(run(random), 1);
+  EXPECT_THAT(
+      said, testing::ContainsRegex("\nregisters: no difference up to here in the [0-9]+ "
+                                   "registers named alike: look at what is computed from them\n"));
+}
+
 TEST_F(CliShrinkTest, TheUnitsOwnRtlDoesWhatTheModelDoesOnTheStream) {
   write_faulty_stacks();
   ASSERT_EQ(run(random), 1);
