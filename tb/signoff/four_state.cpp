@@ -53,24 +53,36 @@ void make_netlist(const WorkFolder& work, const rtl_model& model) {
   run_or_throw(work, words, "yosys makes no netlist of " + std::string(model.unit));
 }
 
+/// Without the number of an element; those of generate blocks stay.
+std::string stem_of(std::string name) {
+  while (!name.empty() && name.back() == ']') name.erase(name.rfind('['));
+  return name;
+}
+
 /// The declared registers and memories of the netlist by the names of the source: "tags_q".
 struct NetRegister {
-  std::string declared, stem;
-  int elements;  ///< of a memory; 0: none
+  std::string module, declared, stem;  // the module without what yosys says of its parameters
+  int elements;                        ///< of a memory; 0: none
 };
-std::vector<NetRegister> registers_of(const std::string& netlist) {
+TextPattern::Groups declaration(const std::string& line) {
   static const TextPattern Declared(
       "^ *reg (\\[[0-9:]*\\] )?(\\\\?[^ ;]+) ?(\\[([0-9]+):([0-9]+)\\])?( *=.*)?;");
+  return Declared.search(line);
+}
+std::vector<NetRegister> registers_of(const std::string& netlist) {
+  static const TextPattern Module("^module (\\\\\\$paramod(\\$[0-9a-f]+)?\\\\)?([A-Za-z0-9_]+)");
   std::vector<NetRegister> all;
   std::istringstream lines(netlist);
+  std::string module;
   for (std::string line; std::getline(lines, line);) {
-    const TextPattern::Groups found = Declared.search(line);
+    if (const TextPattern::Groups head = Module.search(line); !head.empty()) module = head[3];
+    const TextPattern::Groups found = declaration(line);
     if (found.empty()) continue;
     std::string stem = found[2];
     if (stem[0] == '\\') stem.erase(0, 1);
     int elements = 0;
     if (!found[4].empty()) elements = 1 + std::max(std::stoi(found[4]), std::stoi(found[5]));
-    all.push_back({found[2], stem.substr(0, stem.find('[')), elements});
+    all.push_back({module, found[2], stem_of(stem), elements});
   }
   return all;
 }
@@ -86,9 +98,35 @@ std::string row_bits(const PortTraffic& traffic, std::uint64_t clock) {
   return bits.empty() ? "0" : bits;
 }
 
-std::string bench_text(const PortTraffic& traffic, const std::vector<NetRegister>& registers,
-                       const std::vector<std::string>& known, bool has_clock) {
-  std::string declared, pins, inputs, looks, zeros;
+/// `known`: "idx2_q" of the unit, or the last instance of a path, "u_lane", which names its module.
+bool is_known(const NetRegister& one, const std::string& unit, const std::string& known) {
+  const std::string last = known.substr(known.rfind('.') + 1);
+  if (last.rfind("u_", 0) == 0) return one.module == last.substr(2);
+  return one.module == unit && one.stem == known;
+}
+
+/// The netlist with those registers 0 at power-up.
+std::string with_zeros(const std::string& netlist, const std::vector<NetRegister>& registers,
+                       const std::string& unit, const std::vector<std::string>& known) {
+  std::string text;
+  std::istringstream lines(netlist);
+  auto next = registers.begin();
+  for (std::string line; std::getline(lines, line);) {
+    text += line + "\n";
+    if (next == registers.end() || declaration(line).empty()) continue;
+    const NetRegister& one = *next++;
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const std::string& name) { return is_known(one, unit, name); }))
+      continue;
+    if (one.elements == 0) text += "  initial " + one.declared + " = 0;\n";
+    for (int n = 0; n < one.elements; ++n)
+      text += fmt::format("  initial {} [{}] = 0;\n", one.declared, n);
+  }
+  return text;
+}
+
+std::string bench_text(const PortTraffic& traffic, bool has_clock) {
+  std::string declared, pins, inputs, looks;
   int bits = 0;
   if (has_clock) pins = ".clk_i(clk)";
   for (const PortTraffic::Port& port : traffic.ports) {
@@ -106,21 +144,14 @@ std::string bench_text(const PortTraffic& traffic, const std::vector<NetRegister
           port.name);
     }
   }
-  for (const NetRegister& one : registers)
-    if (std::find(known.begin(), known.end(), one.stem) != known.end()) {
-      const std::string name = "dut." + one.declared + " ";
-      if (one.elements == 0) zeros += "    " + name + "= 0;\n";
-      for (int n = 0; n < one.elements; ++n) zeros += fmt::format("    {}[{}] = 0;\n", name, n);
-    }
   return fmt::format(
       "module bench;\n  reg clk = 0;\n{0}  reg [{1}:0] stimulus [0:{2}];\n  integer n;\n"
-      "  {3} dut ({4});\n  initial begin\n    $readmemb(\"stimulus\", stimulus);\n{5}"
-      "    for (n = 0; n <= {2}; n = n + 1) begin\n      {{{6}}} = stimulus[n]; #1;\n"
+      "  {3} dut ({4});\n  initial begin\n    $readmemb(\"stimulus\", stimulus);\n"
+      "    for (n = 0; n <= {2}; n = n + 1) begin\n      {{{5}}} = stimulus[n]; #1;\n"
       "      if (n == 1) begin\n        $dumpfile(\"reset.vcd\"); $dumpvars(0, dut); #1;"
-      " $dumpoff;\n      end\n{7}      clk = 1; #1; clk = 0; #1;\n    end\n    $finish;\n  end\n"
+      " $dumpoff;\n      end\n{6}      clk = 1; #1; clk = 0; #1;\n    end\n    $finish;\n  end\n"
       "endmodule\n",
-      declared, std::max(bits - 1, 0), traffic.clocks() - 1, traffic.unit, pins, zeros, inputs,
-      looks);
+      declared, std::max(bits - 1, 0), traffic.clocks() - 1, traffic.unit, pins, inputs, looks);
 }
 
 /// The stems of registers that have an x among their first values.
@@ -136,7 +167,7 @@ std::vector<std::string> unknown_registers(const std::string& vcd,
     if (const TextPattern::Groups var = Variable.search(line); !var.empty()) {
       std::string stem = var[2];
       if (stem[0] == '\\') stem.erase(0, 1);
-      stem = stem.substr(0, stem.find('['));
+      stem = stem_of(stem);
       if (stems.count(stem) != 0) named.emplace_back(var[1], stem);
     }
     if (line.rfind("$dumpvars", 0) == 0) first = true;
@@ -164,8 +195,10 @@ FourStateFindings run_in_four_states(const std::string& plugin, const PortTraffi
   const rtl_library rtl(plugin);
   const WorkFolder work;
   make_netlist(work, rtl.model());
-  const auto registers = registers_of(read_text(work.file("netlist.v")));
-  work.write("bench.v", bench_text(traffic, registers, known, has_rtl_port(rtl.model(), "clk_i")));
+  const std::string netlist = read_text(work.file("netlist.v"));
+  const auto registers = registers_of(netlist);
+  work.write("netlist.v", with_zeros(netlist, registers, traffic.unit, known));
+  work.write("bench.v", bench_text(traffic, has_rtl_port(rtl.model(), "clk_i")));
   std::string rows;
   for (std::uint64_t clock = 0; clock < traffic.clocks(); ++clock)
     rows += row_bits(traffic, clock) + "\n";

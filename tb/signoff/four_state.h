@@ -25,7 +25,8 @@ struct FourStateFindings {
   std::vector<std::string> registers;  ///< of the netlist, unknown after the clock in reset
 };
 
-/// The RTL of `plugin` as words, with its parameters. `known`: registers that are 0 at power-up.
+/// The RTL of `plugin` as words, with its parameters. `known`: registers that are 0 at power-up,
+/// or instances "u_MODULE", whose registers all are.
 /// Throws MissingTool, RtlError with what yosys or Icarus says.
 FourStateFindings run_in_four_states(const std::string& plugin, const PortTraffic& traffic,
                                      const std::vector<std::string>& known);

@@ -29,7 +29,7 @@ void judge_starts(const std::string& unit, const PowerUpFindings& found, CheckRe
   for (const UnresetRegister& one : found.unreset) {
     if (one.port.empty()) continue;
     open.erase(std::remove_if(open.begin(), open.end(),
-                              [&](const Unreset& row) { return one.name == row.name; }),
+                              [&](const Unreset& row) { return is_named(row, one.name); }),
                open.end());
     if (!one.reason.empty()) continue;
     named = true;

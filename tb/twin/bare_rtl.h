@@ -55,6 +55,8 @@ class BareRtl {
     library_.rise();
     begun_ = true;
   }
+  /// A signal inside was written to: the next clock is evaluated even if no input moves.
+  void unsettle() { settled_ = false; }
   /// An output as it has settled, or an input; 0 of a port that the RTL does not have.
   std::uint64_t value(std::size_t port) const;
 

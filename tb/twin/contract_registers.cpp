@@ -12,6 +12,7 @@ constexpr const char* Loaded = "goes on without reset; loaded before it counts";
 constexpr Unreset Rows[] = {
     {"vga_timing", "vs_q", "vs is not reset, 0 at power-up"},
     {"pwm_sound", "pwm_q", "the PWM counter is not reset, 0 at power-up"},
+    {"ray_stepper", "tracer_reset_i", "resets nothing: it says who steers; camera_unit loads zero"},
     {"subdivider", "idx2_q", "idx2 is camera_unit's, loaded at the start of a line"},
     {"decision_datapath", "dom_prev_q", Loaded},
     {"decision_datapath", "dom_q", Loaded},
@@ -23,9 +24,11 @@ constexpr Unreset Rows[] = {
     {"write_buffer", "take_data_o", Told},
     {"block_convert", "fixed_o", "what is of a sphere is without reset"},
     {"block_core", "word_address_o", Told},
-    {"block_core", "word_data_o", Told},
-    {"voxel_leaf", "samples_o", Loaded},
-    {"voxel_leaf", "t_o", Loaded},
+    {"block_core", "word_o", Told},
+    {"block_core", "u_block_lanes.g_lane.u_block_spheres",
+     "the memory of the spheres; a sphere is written before spheres_i counts it"},
+    {"voxel_leaf", "samples_q", "of a voxel; start_i sets it to 0"},
+    {"voxel_leaf", "t_q", "along a ray; start_i loads it"},
     {"voxel_setup", "inverse_x_o", "the dividers wait for start_i"},
     {"voxel_setup", "inverse_y_o", "the dividers wait for start_i"},
     {"voxel_setup", "inverse_z_o", "the dividers wait for start_i"},
@@ -45,26 +48,49 @@ constexpr Unreset Rows[] = {
     {"voxel_walker", "z_o", Loaded},
 };
 
-bool is_port(const std::string& name) {
-  return name.size() > 2 && (name.rfind("_o") == name.size() - 2 ||
-                             (name.size() > 3 && name.rfind("_no") == name.size() - 3));
+enum class Kind { Register, Output, Input };
+
+Kind kind_of(const std::string& name) {
+  const auto ends = [&](const std::string& end) {
+    return name.size() > end.size() && name.rfind(end) == name.size() - end.size();
+  };
+  return ends("_o") || ends("_no") ? Kind::Output : ends("_i") ? Kind::Input : Kind::Register;
 }
 
-std::vector<Unreset> rows_of(const std::string& unit, bool ports) {
+std::vector<Unreset> rows_of(const std::string& unit, Kind kind) {
   std::vector<Unreset> rows;
   for (const Unreset& row : Rows)
-    if (unit == row.unit && is_port(row.name) == ports) rows.push_back(row);
+    if (unit == row.unit && kind_of(row.name) == kind) rows.push_back(row);
   return rows;
+}
+
+/// Without what numbers elements and generate blocks.
+std::string without_indices(const std::string& name) {
+  std::string text;
+  int depth = 0;
+  for (const char letter : name) {
+    depth += letter == '[';
+    if (depth == 0) text += letter;
+    depth -= letter == ']';
+  }
+  return text;
 }
 
 }  // namespace
 
-std::vector<Unreset> contract_registers(const std::string& unit) { return rows_of(unit, false); }
-std::vector<Unreset> contract_ports(const std::string& unit) { return rows_of(unit, true); }
+bool is_named(const Unreset& row, const std::string& name) {
+  const std::string plain = without_indices(name), wanted = row.name;
+  return plain == wanted || plain.rfind(wanted + ".", 0) == 0;
+}
+
+std::vector<Unreset> contract_registers(const std::string& unit) {
+  return rows_of(unit, Kind::Register);
+}
+std::vector<Unreset> contract_ports(const std::string& unit) { return rows_of(unit, Kind::Output); }
 
 std::string contract_reason(const std::string& unit, const std::string& name) {
   for (const Unreset& row : Rows)
-    if (unit == row.unit && name == row.name) return row.reason;
+    if (unit == row.unit && is_named(row, name)) return row.reason;
   return "";
 }
 

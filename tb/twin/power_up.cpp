@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -44,7 +44,11 @@ void put(const rtl_port& signal, std::uint64_t value) {
   std::memcpy(signal.data, &raw, static_cast<std::size_t>(signal.bytes));
 }
 
-std::string stem_of(const std::string& name) { return name.substr(0, name.find('[')); }
+/// Without the number of an element; those of generate blocks stay.
+std::string stem_of(std::string name) {
+  while (!name.empty() && name.back() == ']') name.erase(name.rfind('['));
+  return name;
+}
 
 /// The signals inside, elements of an array together, but for the ports themselves.
 std::vector<Register> signals_of(const rtl_model& model) {
@@ -100,14 +104,40 @@ Register find(const rtl_model& model, const std::string& name) {
   return {name, {}};
 }
 
-/// An instance that powers up so, but for what the contract leaves without reset, which is 0.
-std::unique_ptr<BareRtl> powered(const std::string& plugin, const PortTraffic& traffic,
-                                 const rtl_power_up& start) {
+/// The signals that the contract leaves without reset.
+std::vector<const rtl_port*> left_open(const rtl_model& model, const std::string& unit) {
+  const std::vector<Unreset> rows = contract_registers(unit);
+  std::vector<const rtl_port*> all;
+  for (const Register& signal : signals_of(model))
+    if (std::any_of(rows.begin(), rows.end(),
+                    [&](const Unreset& row) { return is_named(row, signal.name); }))
+      all.insert(all.end(), signal.parts.begin(), signal.parts.end());
+  return all;
+}
+
+/// What those have after the clock in reset, from zeros.
+std::vector<std::uint64_t> opened(const std::string& plugin, const PortTraffic& traffic) {
+  BareRtl rtl(plugin, traffic);
+  rtl.run(traffic, 0, 1);
+  std::vector<std::uint64_t> values;
+  for (const rtl_port* signal : left_open(rtl.model(), traffic.unit))
+    values.push_back(value_of(*signal));
+  return values;
+}
+
+/// The first difference of RTL that powers up so. What the contract leaves without reset is 0, and
+/// after the clock in reset what it is from zeros: there it may have taken over what others had.
+std::optional<TrafficDifference> first_from(const rtl_power_up& start, const std::string& plugin,
+                                            const PortTraffic& traffic,
+                                            const std::vector<std::uint64_t>& open) {
   const RtlPowerUp now(start);
-  auto rtl = std::make_unique<BareRtl>(plugin, traffic);
-  for (const Unreset& row : contract_registers(traffic.unit))
-    for (const rtl_port* part : find(rtl->model(), row.name).parts) put(*part, 0);
-  return rtl;
+  BareRtl rtl(plugin, traffic);
+  const auto signals = left_open(rtl.model(), traffic.unit);
+  for (const rtl_port* signal : signals) put(*signal, 0);
+  rtl.run(traffic, 0, 1);
+  for (std::size_t n = 0; n < signals.size(); ++n) put(*signals[n], open[n]);
+  rtl.unsettle();
+  return rtl.run(traffic, 1, traffic.clocks());
 }
 
 /// What the named registers have after the clock in reset.
@@ -245,12 +275,14 @@ PowerUpFindings find_power_up(const std::string& plugin, const PortTraffic& traf
                               const PowerUpOptions& options) {
   PowerUpFindings findings;
   for (const PortTraffic::Port& port : traffic.ports)
-    findings.has_reset |= port.input && reset_value(port.name) >= 0;
+    findings.has_reset |= port.input && reset_value(port.name) >= 0 &&
+                          contract_reason(traffic.unit, port.name).empty();
   const PortTraffic model = compared(traffic);
   try {
+    const std::vector<std::uint64_t> open = opened(plugin, model);
     for (const rtl_power_up& start : starts(options.seeds)) {
       if (interrupted() || !findings.has_reset) break;
-      const auto first = powered(plugin, model, start)->run(model, 0, model.clocks());
+      const auto first = first_from(start, plugin, model, open);
       findings.clocks += first ? first->clock : traffic.clocks();
       ++findings.starts;
       if (first)

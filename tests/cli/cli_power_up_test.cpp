@@ -59,9 +59,17 @@ TEST_F(CliPowerUpTest, TheRegisterThatTheResetMissesIsNamed) {
 }
 
 TEST_F(CliPowerUpTest, UnitsWithoutAResetAreLeftOut) {
-  run({"stacks", "--power-up", "20", "--json"});
+  for (const char* unit : {"stacks", "ray_stepper"}) {  // of that an input is called a reset
+    run({unit, "--power-up", "20", "--json"});
+    EXPECT_EQ(code, 0) << said;
+    EXPECT_EQ(Json::parse(out)["units"][0]["clocks"], 0) << unit;
+  }
+}
+
+TEST_F(CliPowerUpTest, WhatTheResetMovesOfARegisterThatTheContractLeavesIsNoFault) {
+  run({"subdivider", "--power-up", "20", "--json"});
   EXPECT_EQ(code, 0) << said;
-  EXPECT_EQ(Json::parse(out)["units"][0]["clocks"], 0);
+  EXPECT_EQ(Json::parse(out)["units"][0]["clocks"], 22 * 10000);
 }
 
 TEST_F(CliPowerUpTest, NumbersThatAreNoneAreRefused) {
