@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/twin/bare_rtl.h"
+#include "tb/twin/contract_registers.h"
 #include "tb/twin/stream_player.h"
 #include "tb/twin/verilog_bench.h"
 
@@ -75,6 +77,24 @@ std::vector<bool> unknown_values(const std::string& plugin, const PortTraffic& t
   return unknown;
 }
 
+/// The registers of the unit itself that its contract leaves without reset, from zeros.
+std::vector<VerilogBench::Deposit> deposits_of(const std::string& plugin,
+                                               const PortTraffic& traffic) {
+  BareRtl rtl(plugin, traffic);
+  rtl.drive(traffic.row(0), 1);
+  std::vector<VerilogBench::Deposit> all;
+  const rtl_model& model = rtl.model();
+  for (const Unreset& row : contract_registers(traffic.unit))
+    for (int n = 0; n < model.signal_count; ++n) {
+      const rtl_port& signal = model.signals[n];
+      if (signal.name != std::string(row.name)) continue;
+      std::uint64_t value = 0;  // the machine's bytes begin with the lowest
+      std::memcpy(&value, signal.data, static_cast<std::size_t>(signal.bytes));
+      all.push_back({row.name, value, signal.bits});
+    }
+  return all;
+}
+
 }  // namespace
 
 void write_bench(const UnitUnderTest& dut, const BenchTraffic& of, const std::string& file) {
@@ -90,6 +110,7 @@ void write_bench(const UnitUnderTest& dut, const BenchTraffic& of, const std::st
       has_rtl_port(library.model(), "clk_i"),
       stream.seeks,
       unknown_values(dut.plugin, traffic, stream.seeks),
+      deposits_of(dut.plugin, traffic),
       parameters_of(dut, library.model()),
       {"Test bench of " + dut.unit + ", written by racebeam " + program_version() + ":",
        "  " + of.command,

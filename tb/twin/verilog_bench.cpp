@@ -70,7 +70,8 @@ class Writer {
     const std::string& unit = traffic_.unit;
     for (const std::string& comment : bench_.comment) line("// " + comment);
     line(fmt::format(
-        "//   $ iverilog -g2001 -o {0}_bench {0}_bench.v NETLIST.v && vvp -N {0}_bench", unit));
+        "//   $ iverilog -g2001{1} -o {0}_bench {0}_bench.v NETLIST.v && vvp -N {0}_bench", unit,
+        bench_.deposits.empty() ? "" : " -DDEPOSIT"));
     line(fmt::format(
         "//   $ verilator --binary --timing --top-module {0}_bench {0}_bench.v RTL.sv ...", unit));
     line("module " + unit + "_bench;");
@@ -189,6 +190,17 @@ class Writer {
     line("      endcase");
   }
 
+  void deposits() {
+    if (bench_.deposits.empty()) return;
+    line(
+        "`ifdef DEPOSIT  // registers without reset, for four states: no value makes a difference");
+    line("      if (clock == 0) begin");
+    for (const VerilogBench::Deposit& one : bench_.deposits)
+      line(fmt::format("        dut.{} = {}'h{:x};", one.name, one.bits, one.value));
+    line("      end");
+    line("`endif");
+  }
+
   void run() {
     line("  initial begin");
     if (bench_.clocked) line("    clk_i = 1'b0;");
@@ -200,6 +212,7 @@ class Writer {
     line("      #1;");
     line("      if (clock > 0) compare;");
     line("      edges(1);");
+    deposits();
     line("    end");
     line(fmt::format("    $display(\"PASS: {}, {} clocks\");", traffic_.unit, traffic_.clocks()));
     line("    $finish;");

@@ -19,11 +19,21 @@
 namespace racebeam {
 
 struct VerilogBench {
+  /// A register of the unit.
+  struct Deposit {
+    std::string name;
+    std::uint64_t value;
+    int bits;
+  };
+
   const PortTraffic& traffic;          ///< what the model says; without ports that the RTL lacks
   bool clocked = true;                 ///< the unit has a clk_i
   std::map<std::uint64_t, int> seeks;  ///< by clock: the frame that a counter of frames goes to
   /// Of the values of `traffic`, those that follow from power-up: not compared. Empty: all are.
   std::vector<bool> unknown;
+  /// What the contract leaves without reset, and has after the clock in reset: written there if
+  /// DEPOSIT is defined, as four states know nothing of it.
+  std::vector<Deposit> deposits;
   std::vector<std::string> parameters;  ///< "Name=value", which a netlist has no more
   std::vector<std::string> comment;     ///< lines of its head, each without its //
 };
