@@ -110,7 +110,7 @@ TEST_P(LongBenchInVerilator, PassesWithTheRtl) {
 INSTANTIATE_TEST_SUITE_P(LongUnits, LongBenchInIcarus,
                          testing::Values("vga_timing", "sequencer", "camera_unit", "ray_stepper",
                                          "subdivider", "stacks", "decision_datapath", "scene",
-                                         "navigator", "interval_fifo", "pixel_output"),
+                                         "navigator", "interval_fifo", "pixel_output", "pwm_sound"),
                          [](const auto& test) { return std::string(test.param); });
 INSTANTIATE_TEST_SUITE_P(LongUnits, LongBenchInVerilator,
                          testing::Values("vga_timing", "sequencer", "camera_unit", "ray_stepper",
