@@ -100,7 +100,7 @@ class DelayedTop : public testing::TestWithParam<Variant> {
   ScratchFolder folder;
 };
 
-// In 5000 and 7223 the beam starves.
+// In 7223 the beam starves.
 TEST_P(DelayedTop, PinsAreThoseForetoldInEveryClock) {
   EXPECT_EQ(differences(plan_of(GetParam()), {0, 1, 5000, 7223}), 0u);
 }
