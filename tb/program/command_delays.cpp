@@ -111,8 +111,14 @@ int delays_run(const Options& options) {
   catch_interrupts();
   const int most = static_cast<int>(options.most);
   Progress progress(static_cast<std::int64_t>(channels.size()) * most + 1, "runs");
-  const auto all = measure_slack(run, channels, numbers, most, static_cast<int>(options.jobs),
-                                 [&](int done) { progress.draw(done, 0); });
+  std::vector<ChannelSlack> all;
+  try {
+    all = measure_slack(run, channels, numbers, most, static_cast<int>(options.jobs),
+                        [&](int done) { progress.draw(done, 0); });
+  } catch (const std::exception&) {
+    if (interrupted()) return ExitInterrupted;  // a child says so in words
+    throw;
+  }
   progress.clear();
   if (!options.json) {
     print(table_of(all, built, numbers.size(), most));
