@@ -243,6 +243,14 @@ Manifest RenderPlan::manifest() const {
   manifest.level = level;
   manifest.k = k;
   manifest.units = unit_files;
+  if (stalls)
+    for (const stall_plan::channel& channel : stalls->channels)
+      manifest.channels[channel.name] =
+          fmt::format("shake {},{},{}", stalls->seed, stalls->begin, stalls->go_on);
+  if (delays)
+    for (const delay_plan::channel& channel : delays->channels)
+      manifest.channels[channel.name] =
+          fmt::format("latency {}, capacity {}", channel.latency, channel.capacity);
   return manifest;
 }
 

@@ -60,7 +60,8 @@ Json Manifest::settings() const {
           {"level", level},
           {"knobs", k ? knobs_json(*k) : Json()},
           {"units", units_json(units)},
-          {"inputs", inputs}};
+          {"inputs", inputs},
+          {"channels", channels}};
 }
 
 std::string Manifest::text() const {

@@ -29,10 +29,11 @@ struct Manifest {
   std::string scene;       ///< or the folder of a project
   std::string scene_hash;  ///< of what was rendered
   std::string level;
-  std::optional<knob_values> k;               ///< of this project's chip
-  std::map<std::string, ManifestUnit> units;  ///< those that are not models
-  std::map<std::string, std::string> inputs;  ///< pins of a project's chip
-  std::vector<std::string> command;           ///< command line, program name first
+  std::optional<knob_values> k;                 ///< of this project's chip
+  std::map<std::string, ManifestUnit> units;    ///< those that are not models
+  std::map<std::string, std::string> inputs;    ///< pins of a project's chip
+  std::map<std::string, std::string> channels;  ///< between units: what stalls or delays each
+  std::vector<std::string> command;             ///< command line, program name first
   int first_frame = 0, every = 1;
   int frames_wanted = 0, frames_rendered = 0;
   std::set<int> frames;

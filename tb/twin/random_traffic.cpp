@@ -10,9 +10,10 @@ namespace racebeam {
 
 namespace {
 
-constexpr int Shortest = 8, Doublings = 10;  // clocks; the longest has nearly 16,384
-constexpr int LongEpisode = 512;             // from here on without resets
-constexpr int ResetPace[] = {8, 64, 0, 0, 0, 0};
+constexpr int Shortest = 8, Doublings = 10;        // clocks; the longest has nearly 16,384
+constexpr int LongEpisode = 512;                   // from here on without resets
+constexpr int ShortNoise = 400, LongNoise = 8000;  // at most
+constexpr int ResetPace[] = {8, 64, 0, 0, 0, 0}, NoiseResetPace[] = {8, 64, 1000, 0};
 constexpr int Pace[] = {0, 1, 1, 1, 4, 16};
 constexpr int On[] = {0, 1, 8, 32, 32, 56, 63, 64};  // of 64
 constexpr int OnOf = 64;
@@ -33,16 +34,24 @@ RandomTraffic::RandomTraffic(UnitBench& bench, LegalInputs legal, unsigned seed)
 }
 
 void RandomTraffic::begin_episode() {
+  const bool noise = one_of(8);
   int length = Shortest;
-  for (int n = 0; n < Doublings && one_of(2); ++n) length *= 2;
-  left_ = length + below(length);
-  reset_every_ = length < LongEpisode ? ResetPace[below(std::size(ResetPace))] : 0;
+  if (noise) {
+    length = one_of(8) ? LongNoise : ShortNoise;
+    left_ = 1 + below(length);
+    reset_every_ = length == LongNoise ? 0 : NoiseResetPace[below(std::size(NoiseResetPace))];
+  } else {
+    for (int n = 0; n < Doublings && one_of(2); ++n) length *= 2;
+    left_ = length + below(length);
+    reset_every_ = length < LongEpisode ? ResetPace[below(std::size(ResetPace))] : 0;
+  }
   kinds_ = 1 + below(std::size(shared_));
   for (Raw& value : shared_) value = any_value();
   const bool quiet = one_of(4);  // most inputs are held
   const bool anew = one_of(4);   // all inputs, otherwise some go on as they did
   for (Input& input : inputs_)
-    if (anew || !one_of(3)) begin(input, quiet);
+    if (noise) begin_noise(input);
+    else if (anew || !one_of(3)) begin(input, quiet);
   if (at_episodes_) at_episodes_(random_());
 }
 
@@ -51,6 +60,19 @@ void RandomTraffic::begin(Input& input, bool quiet) {
   input.pace = quiet && !one_of(4) ? 0 : Pace[below(std::size(Pace))];
   input.on = On[below(std::size(On))];
   input.step = one_of(4) ? ~Raw{0} : 1;
+}
+
+void RandomTraffic::begin_noise(Input& input) {
+  struct Manner {
+    Source source;
+    int pace;
+  };
+  static constexpr Manner Manners[] = {{Any, 0}, {Any, 1}, {Any, 16}, {Boundary, 1}, {Counting, 1}};
+  const Manner& manner = Manners[below(std::size(Manners))];
+  input.source = manner.source;
+  input.pace = manner.pace;
+  input.on = OnOf / 2;
+  input.step = 1;
 }
 
 // Around 0, the largest value, the sign, and powers of two.

@@ -5,7 +5,9 @@
 // counting, all that in each clock or seldom; an input of one bit is on from never to always. Some
 // episodes are quiet, so that what takes many clocks is not disturbed, and some have resets. Half
 // of the episodes are the shortest and each next length has half as many, so that all lengths have
-// the same share of the clocks, up to what only a line or a flight without reset reaches.
+// the same share of the clocks, up to what only a line or a flight without reset reaches. About
+// half of the clocks are in longer episodes of plain noise, which moves all bits soonest: inputs
+// are held, random, at a boundary or counting, and one bit is on in half of the clocks.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -48,6 +50,7 @@ class RandomTraffic {
 
   void begin_episode();
   void begin(Input& input, bool quiet);
+  void begin_noise(Input& input);
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
   bool one_of(int count) { return below(count) == 0; }
   Raw fresh(const Input& input);

@@ -184,7 +184,8 @@ void TrafficFile::check_blocks() const {
   for (const Entry& entry : blocks_) {
     const std::string where = fmt::format("its block of {} clocks from clock {} on is damaged",
                                           entry.clocks, entry.first);
-    if (entry.clocks > TrafficWriter::BlockClocks || entry.offset != at || at + sizeof(BlockHead) > index_at_ || entry.first != first)
+    if (entry.clocks > TrafficWriter::BlockClocks || entry.offset != at ||
+        at + sizeof(BlockHead) > index_at_ || entry.first != first)
       refuse(where);
     const auto head = value_at<BlockHead>(data_ + at);
     if (head.size > index_at_ - at - sizeof head || head.clocks != entry.clocks ||

@@ -72,6 +72,11 @@ TEST_F(CliFolderTest, OtherSettingsAreRefusedWithWhatDiffers) {
   refused({"--set", "fifo_entries=12", "--golden", "trace2"}, "level: tlm, now golden trace2");
   refused({"--set", "fifo_entries=12", "--use", "stacks=lockstep"},
           "units.stacks.implementation: nothing, now lockstep");
+  refused({"--set", "fifo_entries=12", "--shake", "7", "--stall", "camera"},
+          "channels.camera: nothing, now shake 7,0.05,0.75");
+  std::ofstream(folder / "d.toml") << "interval.latency = 3\ninterval.capacity = 4\n";
+  refused({"--set", "fifo_entries=12", "--delays", "d.toml"},
+          "channels.interval: nothing, now latency 3, capacity 4");
   Program scene(folder.path(), {"render", "a.toml", "-o", "o", "--set", "fifo_entries=12"});
   EXPECT_EQ(scene.wait(), 2);
   EXPECT_THAT(scene.err(), HasSubstr("scene: demo, now a; scene_hash: built-in, now xxh64 "));
