@@ -27,9 +27,9 @@ module channel_delay #(
   logic [CountBits-1:0] count_q, arrived_q;
   logic [PlaceBits-1:0] write_q, read_q;
 
-  function automatic logic [PlaceBits-1:0] after(logic [PlaceBits-1:0] place);
-    return place == PlaceBits'(Capacity - 1) ? '0 : place + 1'b1;
-  endfunction
+  localparam logic [PlaceBits-1:0] LastPlace = PlaceBits'(Capacity - 1);
+  wire logic [PlaceBits-1:0] after_write = write_q == LastPlace ? '0 : write_q + 1'b1;
+  wire logic [PlaceBits-1:0] after_read = read_q == LastPlace ? '0 : read_q + 1'b1;
 
   wire logic put = offer_valid_i && offer_ready_o;
   wire logic take = take_ready_i && take_valid_o;
@@ -60,9 +60,9 @@ module channel_delay #(
       arrived_q <= arrived_q + CountBits'(arrives) - CountBits'(take);
       if (put) begin
         entries_q[write_q] <= offer_data_i;
-        write_q <= after(write_q);
+        write_q <= after_write;
       end
-      if (take) read_q <= after(read_q);
+      if (take) read_q <= after_read;
     end
   end
 endmodule

@@ -74,7 +74,9 @@ TEST_F(CliFolderTest, OtherSettingsAreRefusedWithWhatDiffers) {
           "units.stacks.implementation: nothing, now lockstep");
   refused({"--set", "fifo_entries=12", "--shake", "7", "--stall", "camera"},
           "channels.camera: nothing, now shake 7,0.05,0.75");
-  std::ofstream(folder / "d.toml") << "interval.latency = 3\ninterval.capacity = 4\n";
+  std::ofstream(folder / "d.toml")
+      << "engine = \"beam\"\n[[channel]]\nname = \"interval\"\nfrom = \"subdivider\"\n"
+         "to = \"interval_fifo\"\nlatency = 3\ncapacity = 4\n";
   refused({"--set", "fifo_entries=12", "--delays", "d.toml"},
           "channels.interval: nothing, now latency 3, capacity 4");
   Program scene(folder.path(), {"render", "a.toml", "-o", "o", "--set", "fifo_entries=12"});
