@@ -87,9 +87,10 @@ TEST_F(CliGatesTest, TheBugOfAnExhibitIsInItsGatesToo) {
   const Words more = {"--engine", "sphere"};
   Program rtl(folder.path(), verify("store_arbiter=mine.sv", more));
   EXPECT_EQ(rtl.wait(), 1) << rtl.err();
-  const std::string found =
-      "store_arbiter: port take_ready_o differs on random traffic (142 clocks compared)";
-  EXPECT_THAT(rtl.err(), HasSubstr(found));
+  const std::string said = rtl.err();
+  const auto at = said.find("store_arbiter: port take_ready_o differs on random traffic (");
+  ASSERT_NE(at, std::string::npos) << said;
+  const std::string found = said.substr(at, said.find(" clocks compared)", at) - at);
   for (const char* gates : {"gates:mine.sv", "gates:osu018:mine.sv"}) {
     Program run(folder.path(), verify(std::string("store_arbiter=") + gates, more));
     EXPECT_EQ(run.wait(), 1) << run.err();
