@@ -42,6 +42,10 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
   COMPONENT program)
 install(
+  DIRECTORY tb/twin/streams
+  DESTINATION ${RACEBEAM_DATADIR}/tb/twin
+  COMPONENT program)
+install(
   FILES sc/swap/rtl_glue.cc.in sc/swap/rtl_coverage.cc.in sc/swap/rtl_coverage.h
         sc/swap/rtl_model.h sc/swap/rtl_power_up.h sc/swap/rtl_runtime.h
   DESTINATION ${RACEBEAM_DATADIR}/sc/swap

@@ -247,6 +247,11 @@ void add_options(const CommandOptions& command, Options& options) {
              "Seconds for the proof of each mutant that is not found; 0: none",
              is_number_in("--prove", 0, MostProofSeconds))
       .capture_default_str();
+  add_number(command, "--within", signoff.within,
+             "Clocks; a mutant that random traffic finds later is not found, and gets a stream of "
+             "its own. 0: none",
+             is_number_in("--within", 0, MostRandomClocks))
+      .capture_default_str();
   add_number(command, "--jobs", signoff.jobs, "Processes at once; default: the cores",
              is_number_in("--jobs", 1, MostJobs));
   command

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "tb/twin/unit_traffic.h"
+
 namespace racebeam {
 
 std::string power_up_story(const std::string& unit, const PowerUpFindings& findings) {

@@ -15,12 +15,15 @@
 #include "tb/signoff/unit_drive.h"
 #include "tb/twin/bare_rtl.h"
 #include "tb/twin/port_traffic.h"
+#include "tb/twin/unit_traffic.h"
 
 namespace racebeam {
 
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::uint64_t MostBits = 10'000;  // of outputs; each takes a clock of traffic
 
 struct Found {
   std::size_t bits = 0;  ///< inverted
@@ -64,29 +67,12 @@ Found try_lockstep(const UnitUnderTest& dut, const std::string& plugin,
                   });
 }
 
-/// What the model says to random traffic that only its ports bring.
-PortTraffic recorded(const UnitUnderTest& dut, const ComparatorOptions& options) {
-  const auto model = engine_of(dut.k).unit(dut.unit)->make("model", dut.k, dut.scene);
-  UnitBench bench(*model);
-  RandomTraffic random(bench, twins_of(engine_of(dut.k)).inputs(dut.k), options.seed);
-  PortTraffic traffic = traffic_of(dut.unit, bench);
-  std::uint64_t bits = 0;
-  for (const ComparedPort& port : outputs_of(bench)) bits += static_cast<std::uint64_t>(port.bits);
-  for (std::uint64_t clock = 0; clock < options.warm_up + bits; ++clock) {
-    if (clock > 0) random.next();  // the first clock is in reset
-    bench.settle();
-    traffic.append(bench);
-    bench.clock();
-  }
-  return traffic;
-}
-
 /// The comparison of recorded traffic.
 Found try_bare(const UnitUnderTest& dut, const std::string& plugin,
                const ComparatorOptions& options) {
-  PortTraffic traffic = recorded(dut, options);
-  BareRtl rtl(plugin, traffic);
   std::uint64_t now = options.warm_up;
+  PortTraffic traffic = record_from_reset(dut, now + MostBits, options.seed);
+  BareRtl rtl(plugin, traffic);
   const auto differs = [](const PortTraffic& of, const TrafficDifference& at) {
     return RtlError("model and RTL differ by themselves, at " + of.ports[at.port].name);
   };
@@ -95,6 +81,8 @@ Found try_bare(const UnitUnderTest& dut, const std::string& plugin,
   for (const PortTraffic::Port& port : traffic.ports)
     if (!port.input) outputs.push_back({port.name, port.bits});
   return found_by(outputs, [&](const std::string& port, int bit, std::uint64_t& clock) {
+    if (now == traffic.clocks())
+      throw RtlError(fmt::format("it has more than {} bits of outputs", MostBits));
     clock = now++;
     const auto at = std::find_if(traffic.ports.begin(), traffic.ports.end(),
                                  [&](const auto& one) { return one.name == port; });

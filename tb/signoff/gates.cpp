@@ -13,8 +13,8 @@
 #include "tb/base/interrupt.h"
 #include "tb/scene/engines.h"
 #include "tb/twin/bare_rtl.h"
-#include "tb/twin/random_traffic.h"
 #include "tb/twin/twins.h"
+#include "tb/twin/unit_traffic.h"
 #include "tb/verilate/gate_timing.h"
 
 namespace racebeam {
@@ -24,22 +24,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t Batch = 10'000;  // clocks, then it looks
-
-PortTraffic random_traffic_of(const UnitUnderTest& dut, const GatesOptions& options) {
-  const engine& built = engine_of(dut.k);
-  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.scene);
-  UnitBench bench(*model);
-  RandomTraffic random(bench, twins_of(built).inputs(dut.k), options.seed);
-  PortTraffic traffic = traffic_of(dut.unit, bench);
-  for (std::uint64_t clock = 0; clock < options.clocks; ++clock) {
-    if (clock % Batch == 0 && interrupted()) throw Interrupted();
-    random.next();
-    bench.settle();
-    traffic.append(bench);
-    bench.clock();
-  }
-  return traffic;
-}
 
 std::optional<TrafficDifference> run(const std::string& plugin, const PortTraffic& traffic) {
   BareRtl gates(plugin, traffic);
@@ -105,7 +89,7 @@ class GatesCheck {
   GateWord word(const std::string& kind) const { return {kind, options_.file}; }
 
   void compare() {
-    const PortTraffic traffic = random_traffic_of(dut_, options_);
+    const PortTraffic traffic = record_from_reset(dut_, options_.clocks, options_.seed);
     result_.detail["clocks"] = traffic.clocks();
     for (const std::string& kind : options_.kinds) compare(kind, traffic);
   }

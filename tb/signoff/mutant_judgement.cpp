@@ -43,8 +43,7 @@ std::string text_of(const Mutant& mutant) {
 std::string fault_of(const Mutant& mutant, const MutantFate& fate) {
   if (fate.state == MutantFate::Escaped)
     return fmt::format(
-        "not found: {}; in {} it differs at clock {}, {}: the stimulus has to reach "
-        "that",
+        "not found: {}; in {} it differs at clock {}, {}: the stimulus has to reach that",
         text_of(mutant), fate.stream, fate.clock, fate.port);
   return fmt::format(
       "undecided: {}: {}; give it longer with --prove, or find out and write a waiver",
@@ -110,7 +109,7 @@ Judgement judge(const std::string& unit, const MutantNetlist& netlist,
     Json json = {
         {"mutant", mutant.name}, {"source", mutant.source}, {"state", word_of(fate.state)}};
     if (fate.state == MutantFate::Escaped)
-      json.update({{"traffic", fate.stream}, {"clock", fate.clock}, {"port", fate.port}});
+      json.update({{"stream", fate.stream}, {"clock", fate.clock}, {"port", fate.port}});
     if (!fate.note.empty()) json["note"] = fate.note;
     if (waived)
       json["waiver"] = {{"reason", waiver->second->reason},
@@ -128,7 +127,8 @@ Judgement judge(const std::string& unit, const MutantNetlist& netlist,
 }  // namespace
 
 CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
-                          const std::map<int, MutantFate>& fates, const SignoffOptions& options) {
+                          const std::map<int, MutantFate>& fates, const SignoffOptions& options,
+                          const std::string& episodes) {
   Judgement all = judge(unit, netlist, fates, options);
   CheckResult result;
   result.unit = unit;
@@ -166,6 +166,13 @@ CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
     const std::size_t more = all.faults.size() - Told;
     all.faults.resize(Told);
     all.faults.push_back(fmt::format("and {} more; --json has all", more));
+  }
+  if (!episodes.empty()) {
+    result.detail["episodes"] = episodes;
+    all.faults.push_back(
+        fmt::format("{} has episodes that find those; as tb/twin/streams/{}.stream they are part "
+                    "of the stimulus",
+                    episodes, unit));
   }
   result.faults = all.faults;
   return result;

@@ -14,8 +14,9 @@
 namespace racebeam {
 
 /// Bad: one has escaped, is undecided without a waiver, or is still alive; a waiver is of no use;
-/// more than 1 % are waived.
+/// more than 1 % are waived. `episodes`: the file of streams that find those which have escaped.
 CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
-                          const std::map<int, MutantFate>& fates, const SignoffOptions& options);
+                          const std::map<int, MutantFate>& fates, const SignoffOptions& options,
+                          const std::string& episodes);
 
 }  // namespace racebeam

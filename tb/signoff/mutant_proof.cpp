@@ -228,37 +228,44 @@ MutantProofs::Inputs MutantProofs::read_counterexample(const std::string& text) 
 
 MutantProof MutantProofs::prove(int number) const {
   if (!in_cache(key_of(number)).empty()) return {MutantProof::Equal, {}, ""};
+  // Where pdr is at a loss, a bounded search may still find a difference.
+  MutantProof proof = ask(number, {{"pdr", 0.75}, {"bmc3 -F 1000", 0.25}});
+  if (proof.verdict == MutantProof::Equal)
+    cached(key_of(number), [&](const std::string& out) { write_text(out, "equal\n"); });
+  return proof;
+}
+
+MutantProof MutantProofs::refute(int number) const { return ask(number, {{"bmc3 -F 1000", 1}}); }
+
+MutantProof MutantProofs::ask(int number, const std::vector<Question>& questions) const {
   if (circuit_.empty()) return {MutantProof::Undecided, {}, "no proof was asked for"};
   const WorkFolder work;
   work.write("miter.aig", circuit_of(number));
   const double seconds = std::chrono::duration<double>(proof_.limit).count();
-  // Where pdr is at a loss, a bounded search may still find a difference.
-  ToolResult result{};
-  const auto ask = [&](const std::string& how, double share) {
-    const ToolRun run{{"yosys-abc", "-q",
-                       fmt::format("read_aiger miter.aig; strash; scorr; {} -T {}; print_status; "
-                                   "write_cex -a counterexample",
-                                   how, static_cast<int>(std::max(1.0, seconds * share)))},
-                      work.path(),
-                      {},
-                      {}};
+  std::string said;
+  const auto says = [&](const char* status) { return said.find(status) != std::string::npos; };
+  for (const Question& question : questions) {
+    const ToolRun run{
+        {"yosys-abc", "-q",
+         fmt::format("read_aiger miter.aig; strash; scorr; {} -T {}; print_status; "
+                     "write_cex -a counterexample",
+                     question.command, static_cast<int>(std::max(1.0, seconds * question.share)))},
+        work.path(),
+        {},
+        {}};
     run_tools({run}, 1, proof_.limit + std::chrono::seconds(1),
-              [&](std::size_t, const ToolResult& end) { result = end; });
-    return result.said.find("Status = 1") != std::string::npos ||
-           result.said.find("Status = 0") != std::string::npos;
-  };
-  if (!ask("pdr", 0.75) && !ask("bmc3 -F 1000", 0.25))
+              [&](std::size_t, const ToolResult& end) { said = end.said; });
+    if (says("Status = 1")) return {MutantProof::Equal, {}, ""};
+    if (says("Status = 0")) break;
+  }
+  if (!says("Status = 0"))
     return {MutantProof::Undecided,
             {},
             fmt::format("yosys-abc neither proved it equal nor found a difference within {:g} "
                         "seconds",
                         seconds)};
-  if (result.said.find("Status = 1") != std::string::npos) {
-    cached(key_of(number), [&](const std::string& out) { write_text(out, result.said); });
-    return {MutantProof::Equal, {}, ""};
-  }
   const Inputs rows = read_counterexample(whole_file(work.file("counterexample")));
-  if (rows.empty()) throw RtlError("yosys-abc has written no counterexample:\n" + result.said);
+  if (rows.empty()) throw RtlError("yosys-abc has written no counterexample:\n" + said);
   if (!is_legal(proof_, rows))
     return {MutantProof::Undecided, rows,
             "it differs on inputs only that a chip does not have, as far as yosys-abc can tell"};

@@ -42,6 +42,8 @@ class MutantProofs {
   /// Throws RtlError, MissingTool, Interrupted.
   MutantProofs(const ProofOfMutants& proof, const std::vector<int>& numbers);
   MutantProof prove(int number) const;
+  /// Only looks for a difference, by fewer clocks first; never Equal.
+  MutantProof refute(int number) const;
 
  private:
   /// Which bit of which input of the ports each input of the circuit is.
@@ -50,11 +52,17 @@ class MutantProofs {
     int bit = -1;  // -1: none of them
   };
   using Inputs = std::vector<std::vector<std::uint64_t>>;
+  /// A command of yosys-abc, and its share of the time.
+  struct Question {
+    const char* command;
+    double share;
+  };
 
   std::string key_of(int number) const;
   void read_map(const std::string& text);
   std::string circuit_of(int number) const;
   Inputs read_counterexample(const std::string& text) const;
+  MutantProof ask(int number, const std::vector<Question>& questions) const;
 
   const ProofOfMutants proof_;
   const std::string miter_;

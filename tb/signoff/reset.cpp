@@ -15,6 +15,7 @@
 #include "tb/signoff/four_state.h"
 #include "tb/twin/contract_registers.h"
 #include "tb/twin/twins.h"
+#include "tb/twin/unit_traffic.h"
 
 namespace racebeam {
 

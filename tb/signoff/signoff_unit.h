@@ -27,6 +27,8 @@ struct SignoffOptions {
   long long random = 100'000;  ///< clocks
   long long seed = 1;          ///< of the stimulus
   int proof_seconds = 60;      ///< for each mutant
+  /// Clocks of random traffic; a mutant that is found later gets a stream of its own. 0: none does.
+  long long within = 0;
   int jobs = 1;
   std::vector<Waiver> waivers{};
   std::string folder = "racebeam_signoff";  ///< results are kept there

@@ -30,7 +30,7 @@ UnitDrive::UnitDrive(const UnitUnderTest& dut, const std::string& plugin, Stimul
     next_ = walk->begin(bench_, dut.k, seed);
     return;
   }
-  const auto traffic = std::make_shared<RandomTraffic>(bench_, row.inputs(dut.k), seed);
+  const auto traffic = random_traffic(dut, bench_, seed);
   seek_at_episodes(*traffic, *model_, dut.frames, [this](int frame) {
     lockstep_.deposit([frame](rtl_instance& rtl) { rtl.seek(frame); });
   });

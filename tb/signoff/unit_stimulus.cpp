@@ -18,7 +18,7 @@
 #include "tb/base/output_file.h"
 #include "tb/base/whole_file.h"
 #include "tb/scene/engines.h"
-#include "tb/twin/random_traffic.h"
+#include "tb/twin/random_episodes.h"
 #include "tb/twin/twins.h"
 
 namespace racebeam {
@@ -92,7 +92,7 @@ std::vector<RecordedStream> record_stimulus(const UnitUnderTest& dut, std::uint6
     streams.push_back(recorded(
         dut, RandomStream, random,
         [&](UnitBench& bench) -> std::function<void()> {
-          const auto traffic = std::make_shared<RandomTraffic>(bench, row.inputs(dut.k), seed);
+          const auto traffic = random_traffic(dut, bench, seed);
           return [traffic] { traffic->next(); };
         },
         folder));
@@ -108,13 +108,12 @@ std::vector<RecordedStream> record_stimulus(const UnitUnderTest& dut, std::uint6
   return streams;
 }
 
-PortTraffic model_answers(const UnitUnderTest& dut,
-                          const std::vector<std::vector<std::uint64_t>>& inputs) {
+PortTraffic model_answers(const UnitUnderTest& dut, const PortStream& stream) {
   ModelBench model(dut);
-  for (const auto& row : inputs) {
-    std::size_t n = 0;
+  for (std::uint64_t clock = 0; clock < stream.clocks(); ++clock) {
+    std::size_t input = 0;
     for (UnitBench::Pin* pin : model.bench().pins())
-      if (pin->input) pin->drive(row.at(n++));
+      if (pin->input) pin->drive(stream.at(clock, input++));
     model.clock();
   }
   return model.traffic();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/twin/port_stream.h"
 #include "tb/twin/port_traffic.h"
 #include "tb/twin/unit_under_test.h"
 
@@ -31,10 +32,8 @@ struct RecordedStream {
 std::vector<RecordedStream> record_stimulus(const UnitUnderTest& dut, std::uint64_t random,
                                             unsigned seed, const std::string& folder);
 
-/// What the model says to given inputs: `inputs` has a row for each clock, and in it a value for
-/// each input of traffic_of(), in order. To be called as record_stimulus().
-PortTraffic model_answers(const UnitUnderTest& dut,
-                          const std::vector<std::vector<std::uint64_t>>& inputs);
+/// What the model says to the inputs of a stream. To be called as record_stimulus().
+PortTraffic model_answers(const UnitUnderTest& dut, const PortStream& stream);
 
 /// Traffic without a clock, with the ports of the unit. To be called as record_stimulus().
 PortTraffic ports_of(const UnitUnderTest& dut);

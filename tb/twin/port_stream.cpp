@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "sc/base/unit.h"
 #include "tb/base/reset_value.h"
 
 namespace racebeam {
@@ -47,23 +48,23 @@ void PortStream::begin_in_reset() {
                                             : inputs[input].rest;
 }
 
-PortStream stream_of(const std::string& unit, const UnitBench& bench, const LegalInputs& legal) {
+PortStream stream_of(const PortTraffic& ports, const LegalInputs& legal) {
   PortStream stream;
-  stream.unit = unit;
-  for (const UnitBench::Pin* pin : bench.pins()) {
-    if (!pin->input) continue;
-    const int reset = reset_value(pin->name);
-    stream.inputs.push_back({pin->name, pin->bits, reset,
+  stream.unit = ports.unit;
+  for (const PortTraffic::Port& port : ports.ports) {
+    if (!port.input) continue;
+    const int reset = reset_value(port.name);
+    stream.inputs.push_back({port.name, port.bits, reset,
                              reset >= 0 ? static_cast<std::uint64_t>(1 - reset)
-                                        : raw_bits(legal.of(pin->name, 0), pin->bits)});
+                                        : raw_bits(legal.of(port.name, 0), port.bits)});
   }
   return stream;
 }
 
-std::string stream_text(const PortStream& stream, const std::vector<std::string>& comment) {
-  std::string text = "# racebeam-stream 1\n";
-  for (const std::string& line : comment) text += "# " + line + "\n";
-  text += "unit " + stream.unit + "\n";
+namespace {
+
+std::string clocks_text(const PortStream& stream) {
+  std::string text;
   std::vector<std::size_t> moving;
   for (std::size_t input = 0; input < stream.inputs.size(); ++input) {
     if (stream.moves(input)) moving.push_back(input);
@@ -92,6 +93,22 @@ std::string stream_text(const PortStream& stream, const std::vector<std::string>
     clock = end;
   }
   return text;
+}
+
+}  // namespace
+
+std::string stream_head(const std::string& unit, const std::vector<std::string>& comment) {
+  std::string text = "# racebeam-stream 1\n";
+  for (const std::string& line : comment) text += "# " + line + "\n";
+  return text + "unit " + unit + "\n";
+}
+
+std::string episode_text(const PortStream& stream, const std::string& comment) {
+  return "\nepisode  # " + comment + "\n" + clocks_text(stream);
+}
+
+std::string stream_text(const PortStream& stream, const std::vector<std::string>& comment) {
+  return stream_head(stream.unit, comment) + clocks_text(stream);
 }
 
 }  // namespace racebeam

@@ -10,6 +10,9 @@
 //   2..4   1     1f         # several clocks alike
 //   frame 9599              # of units that count frames: both sides go to that one first
 //   5      1     3
+//   episode                 # from the reset on again, with all inputs at rest
+//   clock  push_en_i
+//   1      1
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -22,7 +25,7 @@
 #include <vector>
 
 #include "tb/twin/legal_inputs.h"
-#include "tb/twin/unit_bench.h"
+#include "tb/twin/port_traffic.h"
 
 namespace racebeam {
 
@@ -61,17 +64,23 @@ struct PortStream {
   void begin_in_reset();
 };
 
-/// A stream without clocks, for the unit on `bench`; `legal`: what its inputs may be.
-PortStream stream_of(const std::string& unit, const UnitBench& bench, const LegalInputs& legal);
+/// A stream without clocks, for a unit with these `ports`; `legal`: what its inputs may be.
+PortStream stream_of(const PortTraffic& ports, const LegalInputs& legal);
 
 /// The text of a file; `comment`: lines for its head, each without its #. The stream begins in
 /// reset.
 std::string stream_text(const PortStream& stream, const std::vector<std::string>& comment);
 
+/// The same in two: a file of several is a head and their texts. `comment`: one line.
+std::string stream_head(const std::string& unit, const std::vector<std::string>& comment);
+std::string episode_text(const PortStream& stream, const std::string& comment);
+
 /// The name of the unit in a file. Throws UsageError.
 std::string unit_of_stream(const std::string& path);
-/// Reads a file for the unit and the inputs of `form`. Throws UsageError with file, line, what is
-/// wrong there and what to do.
+/// Reads a file for the unit and the inputs of `form`: its episodes, each from clock 0 on. Throws
+/// UsageError with file, line, what is wrong there and what to do.
+std::vector<PortStream> read_episodes(const std::string& path, const PortStream& form);
+/// The same as one stream, with a clock in reset before each episode.
 PortStream read_stream(const std::string& path, const PortStream& form);
 
 }  // namespace racebeam

@@ -17,7 +17,6 @@
 #include "tb/scene/engines.h"
 #include "tb/twin/bare_rtl.h"
 #include "tb/twin/contract_registers.h"
-#include "tb/twin/random_traffic.h"
 #include "tb/twin/twins.h"
 
 namespace racebeam {
@@ -255,21 +254,6 @@ std::vector<rtl_power_up> starts(int seeds) {
 }
 
 }  // namespace
-
-PortTraffic record_from_reset(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed) {
-  const engine& built = engine_of(dut.k);
-  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.scene);
-  UnitBench bench(*model);
-  RandomTraffic random(bench, twins_of(built).inputs(dut.k), seed);
-  PortTraffic traffic = traffic_of(dut.unit, bench);
-  for (std::uint64_t clock = 0; clock < clocks && !interrupted(); ++clock) {
-    if (clock > 0) random.next();  // before it, the inputs reset
-    bench.settle();
-    traffic.append(bench);
-    bench.clock();
-  }
-  return traffic;
-}
 
 PowerUpFindings find_power_up(const std::string& plugin, const PortTraffic& traffic,
                               const PowerUpOptions& options) {

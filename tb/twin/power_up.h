@@ -50,10 +50,6 @@ struct PowerUpFindings {
   std::string fault;  ///< what ended the RTL; or empty
 };
 
-/// Records random traffic of the model that begins with one clock in reset. Nothing else of SystemC
-/// may happen in the process.
-PortTraffic record_from_reset(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed);
-
 /// `plugin`: RTL of the unit, with the signals inside. Of a unit without a reset only the number of
 /// its registers. Throws RtlError.
 PowerUpFindings find_power_up(const std::string& plugin, const PortTraffic& traffic,

@@ -2,9 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/twin/random_episodes.h"
 
+#include <filesystem>
+
 #include "sc/beam/sequencer.h"
+#include "tb/base/project_folder.h"
+#include "tb/scene/engines.h"
+#include "tb/twin/port_stream.h"
+#include "tb/twin/twins.h"
 
 namespace racebeam {
+
+std::string known_streams(const std::string& unit) {
+  return project_folder() + "/tb/twin/streams/" + unit + ".stream";
+}
+
+std::shared_ptr<RandomTraffic> random_traffic(const UnitUnderTest& dut, UnitBench& bench,
+                                              unsigned seed) {
+  const engine& built = engine_of(dut.k);
+  const LegalInputs legal = twins_of(built).inputs(dut.k);
+  auto traffic = std::make_shared<RandomTraffic>(bench, legal, seed);
+  const std::string known = known_streams(dut.unit);
+  if (dut.k == built.standard(nullptr) && std::filesystem::exists(known))
+    traffic->begin_with(read_episodes(known, stream_of(traffic_of(dut.unit, bench), legal)));
+  return traffic;
+}
 
 void seek_at_episodes(RandomTraffic& traffic, sc_core::sc_module& model, int frames,
                       const std::function<void(int frame)>& beside) {

@@ -14,6 +14,7 @@ constexpr int Shortest = 8, Doublings = 10;        // clocks; the longest has ne
 constexpr int LongEpisode = 512;                   // from here on without resets
 constexpr int ShortNoise = 400, LongNoise = 8000;  // at most
 constexpr int ResetPace[] = {8, 64, 0, 0, 0, 0}, NoiseResetPace[] = {8, 64, 1000, 0};
+constexpr int KnownPace = 8;  // episodes between known ones, on average
 constexpr int Pace[] = {0, 1, 1, 1, 4, 16};
 constexpr int On[] = {0, 1, 8, 32, 32, 56, 63, 64};  // of 64
 constexpr int OnOf = 64;
@@ -119,8 +120,36 @@ RandomTraffic::Raw RandomTraffic::fresh(const Input& input) {
   return from(input.source, input);
 }
 
+/// Each of them whole, then one now and then, whole or its beginning.
+bool RandomTraffic::begin_known() {
+  if (introduced_ < known_.size()) {
+    played_ = &known_[introduced_++];
+    until_ = played_->clocks();
+  } else if (!known_.empty() && one_of(KnownPace)) {
+    played_ = &known_[static_cast<std::size_t>(below(static_cast<int>(known_.size())))];
+    until_ = played_->clocks();
+    if (one_of(2)) until_ = 1 + random_() % until_;
+  } else {
+    return false;
+  }
+  clock_ = 0;
+  return true;
+}
+
+void RandomTraffic::play_known() {
+  for (std::size_t n = 0; n < inputs_.size(); ++n) {
+    Input& input = inputs_[n];
+    UnitBench::Pin& pin = *input.pin;
+    input.value = played_->at(clock_, n);
+    pin.drive(input.reset >= 0 ? input.value
+                               : raw_bits(legal_.of(pin.name, input.value), pin.bits));
+  }
+  if (++clock_ == until_) played_ = nullptr;
+}
+
 void RandomTraffic::next() {
   const bool begins = left_ == 0;
+  if (played_ || (begins && begin_known())) return play_known();
   if (begins) begin_episode();
   --left_;
   for (Input& input : inputs_) {

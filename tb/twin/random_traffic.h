@@ -9,15 +9,21 @@
 // half of the clocks are in longer episodes of plain noise, which moves all bits soonest: inputs
 // are held, random, at a boundary or counting, and one bit is on in half of the clocks.
 //
+// What no noise reaches soon can be given as known episodes: they come first, and later some
+// episodes go on from where one of them has led.
+//
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "tb/twin/legal_inputs.h"
+#include "tb/twin/port_stream.h"
 #include "tb/twin/unit_bench.h"
 
 namespace racebeam {
@@ -28,6 +34,8 @@ class RandomTraffic {
   /// same traffic.
   RandomTraffic(UnitBench& bench, LegalInputs legal, unsigned seed);
 
+  /// To be called before the first clock; the inputs of each are those of the unit, in order.
+  void begin_with(std::vector<PortStream> known) { known_ = std::move(known); }
   /// Calls `begin` with a random number when an episode begins, before its first values.
   void at_episodes(std::function<void(unsigned)> begin) { at_episodes_ = std::move(begin); }
   /// New values for the next clock.
@@ -49,6 +57,8 @@ class RandomTraffic {
   };
 
   void begin_episode();
+  bool begin_known();
+  void play_known();
   void begin(Input& input, bool quiet);
   void begin_noise(Input& input);
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
@@ -62,6 +72,10 @@ class RandomTraffic {
   std::mt19937 random_;
   std::vector<Input> inputs_;
   std::function<void(unsigned)> at_episodes_;
+  std::vector<PortStream> known_;
+  std::size_t introduced_ = 0;           // of them, that have been played
+  const PortStream* played_ = nullptr;   // one of them
+  std::uint64_t clock_ = 0, until_ = 0;  // of it
   Raw shared_[4]{};
   int kinds_ = 1;        // of them, that are in use
   int left_ = 0;         // clocks of the episode

@@ -48,29 +48,48 @@ class StreamReader {
     return words->back();
   }
 
-  PortStream read(const PortStream& form) {
-    stream_ = form;
-    stream_.values.clear();
-    stream_.seeks.clear();
-    for (const PortStream::Input& input : form.inputs) row_.push_back(input.rest);
+  std::vector<PortStream> read(const PortStream& form) {
+    begin(form);
     if (const std::string name = unit(); name != form.unit)
       fail(fmt::format("this is a stream for {}, not for {}; name that unit", name, form.unit));
+    std::vector<PortStream> episodes;
     while (const std::optional<Words> words = next()) {
       if (words->front() == "unit") fail("a second unit; a stream is for one");
       else if (words->front() == "hold") hold(*words);
       else if (words->front() == "clock") name_moving(*words);
       else if (words->front() == "frame") seek(*words);
-      else clocks(*words);
+      else if (words->front() != "episode") clocks(*words);
+      else if (words->size() > 1) fail("episode stands alone");
+      else if (begun_) {
+        episodes.push_back(ended());
+        begin(form);
+      }
+      begun_ = true;
     }
-    if (stream_.clocks() == 0) fail("there is no clock; add a line such as '1', with its values");
-    if (frame_) fail("no clock follows the last frame; add one, or remove it");
-    stream_.begin_in_reset();
-    return std::move(stream_);
+    episodes.push_back(ended());
+    return episodes;
   }
 
  private:
   [[noreturn]] void fail(const std::string& text) const {
     throw UsageError(fmt::format("{}:{}: {}", path_, line_, text));
+  }
+
+  void begin(const PortStream& form) {
+    stream_ = form;
+    stream_.values.clear();
+    stream_.seeks.clear();
+    row_.clear();
+    for (const PortStream::Input& input : form.inputs) row_.push_back(input.rest);
+    moving_.clear();
+    named_ = false;
+  }
+  PortStream ended() {
+    if (stream_.clocks() == 0) fail("there is no clock; add a line such as '1', with its values");
+    if (frame_) fail("no clock follows the last frame; add one, or remove it");
+    before_ += stream_.clocks();
+    stream_.begin_in_reset();
+    return std::move(stream_);
   }
 
   /// Those of the next line that has some.
@@ -149,7 +168,8 @@ class StreamReader {
     if (first != expected || last < first)
       fail(fmt::format("'{}' stands where clock {} must; clocks are numbered from 1 on", words[0],
                        expected));
-    if (last > MostClocks) fail(fmt::format("a stream has {} clocks at most", MostClocks));
+    if (before_ + last > MostClocks)
+      fail(fmt::format("a stream has {} clocks at most", MostClocks));
     if (words.size() != moving_.size() + 1)
       fail(fmt::format("{} values for {} inputs; give one for each name after 'clock'",
                        words.size() - 1, moving_.size()));
@@ -170,7 +190,8 @@ class StreamReader {
   PortStream stream_;
   std::vector<std::uint64_t> row_;
   std::vector<std::size_t> moving_;
-  bool named_ = false;
+  bool begun_ = false, named_ = false;
+  std::uint64_t before_ = 0;  // clocks of the episodes before
   std::optional<int> frame_;
 };
 
@@ -178,8 +199,18 @@ class StreamReader {
 
 std::string unit_of_stream(const std::string& path) { return StreamReader(path).unit(); }
 
-PortStream read_stream(const std::string& path, const PortStream& form) {
+std::vector<PortStream> read_episodes(const std::string& path, const PortStream& form) {
   return StreamReader(path).read(form);
+}
+
+PortStream read_stream(const std::string& path, const PortStream& form) {
+  std::vector<PortStream> episodes = read_episodes(path, form);
+  PortStream all = std::move(episodes.front());
+  for (auto episode = episodes.begin() + 1; episode != episodes.end(); ++episode) {
+    for (const auto& [clock, frame] : episode->seeks) all.seeks[all.clocks() + clock] = frame;
+    all.values.insert(all.values.end(), episode->values.begin(), episode->values.end());
+  }
+  return all;
 }
 
 }  // namespace racebeam

@@ -36,14 +36,15 @@ TwinBench::TwinBench(const UnitUnderTest& dut)
 }
 
 PortStream TwinBench::form() const {
-  PortStream form = stream_of(dut_.unit, bench_, twins_of(engine_of(dut_.k)).inputs(dut_.k));
+  PortStream form =
+      stream_of(traffic_of(dut_.unit, bench_), twins_of(engine_of(dut_.k)).inputs(dut_.k));
   form.counts_frames = counter_ != nullptr;
   return form;
 }
 
 void TwinBench::stimulate(Stimulus stimulus, unsigned seed) {
   const Twins& row = twins_of(engine_of(dut_.k));
-  const auto random = std::make_shared<RandomTraffic>(bench_, row.inputs(dut_.k), seed);  // resets
+  const auto random = random_traffic(dut_, bench_, seed);  // resets
   if (stimulus == Stimulus::Walk)
     return drive_each(row.walk(dut_.unit)->begin(bench_, dut_.k, seed));
   seek_at_episodes(*random, *model_, dut_.frames, [this](int frame) {

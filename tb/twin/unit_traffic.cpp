@@ -59,11 +59,11 @@ void record_lone_traffic(
   TrafficTap tap(dut.unit, *model, open(traffic_ports(*model)));
   EdgeTap edges("tap", tap);
   UnitBench bench(*model, &edges.clk_i);
-  RandomTraffic traffic(bench, twins_of(built).inputs(dut.k), seed);
-  seek_at_episodes(traffic, *model, dut.frames, [&tap](int frame) {
+  const auto traffic = random_traffic(dut, bench, seed);
+  seek_at_episodes(*traffic, *model, dut.frames, [&tap](int frame) {
     tap.deposit([frame](rtl_instance& rtl) { rtl.seek(frame); });
   });
-  if (kind == LoneTraffic::Random) bench.between_edges([&] { traffic.next(); });
+  if (kind == LoneTraffic::Random) bench.between_edges([&] { traffic->next(); });
   else bench.between_edges(twins_of(built).walk(dut.unit)->begin(bench, dut.k, seed));
   for (std::uint64_t ready = 0; ready < clocks;) {
     if (interrupted()) throw Interrupted();
@@ -72,6 +72,21 @@ void record_lone_traffic(
     edges.check();
     done(ready += some);
   }
+}
+
+PortTraffic record_from_reset(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed) {
+  const engine& built = engine_of(dut.k);
+  const auto model = built.unit(dut.unit)->make("model", dut.k, dut.scene);
+  UnitBench bench(*model);
+  const auto random = random_traffic(dut, bench, seed);
+  PortTraffic traffic = traffic_of(dut.unit, bench);
+  for (std::uint64_t clock = 0; clock < clocks && !interrupted(); ++clock) {
+    if (clock > 0) random->next();  // before it, the inputs reset
+    bench.settle();
+    traffic.append(bench);
+    bench.clock();
+  }
+  return traffic;
 }
 
 }  // namespace racebeam

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "tb/twin/port_traffic.h"
 #include "tb/twin/traffic_file.h"
 #include "tb/twin/unit_under_test.h"
 
@@ -22,5 +23,9 @@ void record_lone_traffic(
     const UnitUnderTest& dut, LoneTraffic kind, std::uint64_t clocks, unsigned seed,
     const std::function<TrafficSink&(const std::vector<PortTraffic::Port>&)>& open,
     const std::function<void(std::uint64_t)>& done);
+
+/// What the model says to random traffic that only its ports bring: no frames are set. The first
+/// clock is in reset. Less after an interrupt. Nothing else of SystemC may happen in the process.
+PortTraffic record_from_reset(const UnitUnderTest& dut, std::uint64_t clocks, unsigned seed);
 
 }  // namespace racebeam

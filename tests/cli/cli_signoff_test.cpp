@@ -40,6 +40,11 @@ class CliSignoffTest : public testing::Test {
     EXPECT_EQ(run.wait(), code) << run.err() << run.out();
     return run.json()["results"][0]["detail"];
   }
+  /// Model and RTL say the same to the file of episodes.
+  void expect_good_episodes(const Json& of) {
+    Program run(folder.path(), {"verify", "stacks", "--stream", of["episodes"].get<std::string>()});
+    EXPECT_EQ(run.wait(), 0) << run.err() << run.out();
+  }
   void expect_refused(const Words& arguments, const std::string& said) {
     Program run(folder.path(), arguments);
     EXPECT_EQ(run.wait(), 2);
@@ -73,9 +78,20 @@ TEST_F(CliSignoffTest, WhatAShortStimulusMissesGetsACounterexampleAndNoProof) {
   EXPECT_GT(few["not_found"].get<int>(), 8);
   for (const auto& mutant : few["survivors"].elements())
     if (mutant["state"] == "escaped") {
-      const auto traffic = mutant["traffic"].get<std::string>();
-      EXPECT_TRUE(fs::exists(folder / traffic)) << traffic;
+      const auto stream = mutant["stream"].get<std::string>();
+      EXPECT_TRUE(fs::exists(folder / stream)) << stream;
     }
+  expect_good_episodes(few);
+}
+
+TEST_F(CliSignoffTest, WhatIsFoundLateGetsAStreamOfItsOwn) {
+  const Json any = detail({"--random", "5000"}, 0);
+  const Json soon = detail({"--random", "5000", "--within", "20"}, 1);
+  EXPECT_EQ(soon["equal"], any["equal"]);
+  EXPECT_EQ(soon["found"].get<int>() + soon["not_found"].get<int>(), any["found"].get<int>());
+  EXPECT_GT(soon["not_found"].get<int>(), 0);
+  EXPECT_LT(soon["clocks"]["most"].get<int>(), 20);
+  expect_good_episodes(soon);
 }
 
 TEST_F(CliSignoffTest, AMistakeInTheRtlTurnsItRed) {

@@ -96,6 +96,26 @@ TEST_F(PortStreamTest, ClocksThatAreLeftOutTakeTheirFrameAlong) {
   EXPECT_EQ(stream.without(1, 3).seeks, (std::map<std::uint64_t, int>{{1, 20}, {2, 40}}));
 }
 
+TEST_F(PortStreamTest, EpisodesEachBeginInResetWithInputsAtRest) {
+  PortStream first = form(), second = form();
+  first.values = {0, 0, 0, 1, 1, 5, 7, 1};
+  second.values = {0, 0, 0, 1, 1, 0, 9, 1, 1, 1, 9, 1};
+  const std::string text =
+      stream_head("made", {"of a test"}) + episode_text(first, "one") + episode_text(second, "two");
+  EXPECT_EQ(read(text).values, (std::vector<std::uint64_t>{0, 0, 0, 1, 1, 5, 7, 1,  //
+                                                           0, 0, 0, 1, 1, 0, 9, 1, 1, 1, 9, 1}));
+  const auto episodes = read_episodes(folder / "a.stream", form());
+  ASSERT_EQ(episodes.size(), 2u);
+  EXPECT_EQ(episodes[0].values, first.values);
+  EXPECT_EQ(episodes[1].values, second.values);
+}
+
+TEST_F(PortStreamTest, AFrameStaysInItsEpisode) {
+  const PortStream stream =
+      read("# racebeam-stream 1\nunit made\nclock\n1..2\nepisode\nclock\nframe 7\n1\n", form(true));
+  EXPECT_EQ(stream.seeks, (std::map<std::uint64_t, int>{{4, 7}}));
+}
+
 TEST_F(PortStreamTest, BadLinesAreNamedWithWhatToDo) {
   EXPECT_EQ(refusal("unit other\n"), ":4: a second unit; a stream is for one");
   EXPECT_EQ(refusal("hold a_i\n"), ":4: hold takes an input and its value, as in 'hold NAME 1f'");
@@ -116,6 +136,9 @@ TEST_F(PortStreamTest, BadLinesAreNamedWithWhatToDo) {
   EXPECT_THAT(refusal("clock\nfram 3\n"), HasSubstr(":5: 'fram' is not the number of a clock"));
   EXPECT_EQ(refusal("frame 3\n"), ":4: made counts no frames; remove this line");
   EXPECT_THAT(refusal("clock a_i\n"), HasSubstr("there is no clock; add a line such as '1'"));
+  EXPECT_EQ(refusal("episode 1\n"), ":4: episode stands alone");
+  EXPECT_THAT(refusal("clock\n1\nepisode\n"), HasSubstr("there is no clock; add a line"));
+  EXPECT_THAT(refusal("clock\n1\nepisode\nepisode\n"), HasSubstr(":7: there is no clock"));
 }
 
 TEST_F(PortStreamTest, FilesThatAreNoStreamAreNamed) {

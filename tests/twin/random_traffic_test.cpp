@@ -21,16 +21,20 @@
 namespace racebeam {
 namespace {
 
+/// Episodes to begin with, made of a stream without clocks.
+using Known = std::function<std::vector<PortStream>(const PortStream& form)>;
+
 class RandomTrafficTest : public testing::Test {
  protected:
   /// The unit of the chip in so many clocks; `each` sees the pins of each.
   void run(const std::string& unit, int clocks, unsigned seed,
-           const std::function<void(UnitBench&)>& each) const {
+           const std::function<void(UnitBench&)>& each, const Known& known = {}) const {
     const Twins& row = twins().front();
     const knob_values k = row.engine.standard(nullptr);
     const auto model = row.engine.unit(unit)->make("model", k, nullptr);
     UnitBench bench(*model);
     RandomTraffic traffic(bench, row.inputs(k), seed);
+    if (known) traffic.begin_with(known(stream_of(traffic_of(unit, bench), row.inputs(k))));
     for (int clock = 0; clock < clocks; ++clock) {
       if (clock > 0) traffic.next();
       bench.settle();
@@ -75,6 +79,39 @@ TEST_F(RandomTrafficTest, OnlyLegalValuesAreDriven) {
       [&](UnitBench& bench) { sizes.insert(bench["step_size_i"].value()); });
   for (const std::uint64_t size : sizes) EXPECT_EQ(size & (size - 1), 0u) << "no power of two";
   EXPECT_GE(sizes.size(), 10u) << "all powers of two";
+}
+
+TEST_F(RandomTrafficTest, KnownEpisodesComeFirstAndThenNowAndAgain) {
+  using Row = std::vector<std::uint64_t>;
+  std::vector<Row> expected, rows;
+  const auto episodes = [&](const PortStream& form) {
+    std::vector<PortStream> known;
+    for (const std::uint64_t clocks : {5, 9}) {
+      known.push_back(form);
+      for (std::uint64_t n = 0; n < clocks * form.inputs.size(); ++n)
+        known.back().values.push_back((n / 3 + clocks) % 2);
+      known.back().begin_in_reset();
+      const auto& values = known.back().values;
+      const auto wide = static_cast<std::ptrdiff_t>(form.inputs.size());
+      for (auto at = values.begin(); at != values.end(); at += wide)
+        expected.emplace_back(at, at + wide);
+    }
+    return known;
+  };
+  const auto each = [&](UnitBench& bench) {
+    Row row;
+    for (const UnitBench::Pin* pin : bench.pins())
+      if (pin->input) row.push_back(pin->value());
+    rows.push_back(row);
+  };
+  run("interval_fifo", 20'000, 5, each, episodes);
+  ASSERT_EQ(expected.size(), 14u);
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), rows.begin() + 1));
+  int again = 0;  // the longer one
+  for (auto at = rows.begin() + 15; at != rows.end(); ++again)
+    if ((at = std::search(at, rows.end(), expected.begin() + 5, expected.end())) != rows.end())
+      ++at;
+  EXPECT_GT(again, 3);
 }
 
 TEST_F(RandomTrafficTest, TheFirstClockIsInReset) {
