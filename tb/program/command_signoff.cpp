@@ -252,6 +252,8 @@ void add_options(const CommandOptions& command, Options& options) {
              "its own. 0: none",
              is_number_in("--within", 0, MostRandomClocks))
       .capture_default_str();
+  command.add_flag("--shrink", signoff.shrink,
+                   "Shrink what random traffic finds of each mutant, and tell the sizes");
   add_number(command, "--jobs", signoff.jobs, "Processes at once; default: the cores",
              is_number_in("--jobs", 1, MostJobs));
   command

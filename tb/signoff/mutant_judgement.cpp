@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <vector>
 
+#include "tb/signoff/mutant_sizes.h"
 #include "tb/signoff/unit_stimulus.h"
 
 namespace racebeam {
@@ -27,14 +27,6 @@ struct Judgement {
   std::vector<std::string> faults{};
   Json survivors = Json::array();
 };
-
-/// The least value that `percent` of all do not exceed; 0 of none.
-std::uint64_t percentile(const std::vector<std::uint64_t>& sorted, int percent) {
-  if (sorted.empty()) return 0;
-  const auto rank =
-      static_cast<std::size_t>(std::ceil(static_cast<double>(sorted.size()) * percent / 100));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
 
 std::string text_of(const Mutant& mutant) {
   return mutant.source.empty() ? mutant.name : mutant.name + " (" + mutant.source + ")";
@@ -128,7 +120,7 @@ Judgement judge(const std::string& unit, const MutantNetlist& netlist,
 
 CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
                           const std::map<int, MutantFate>& fates, const SignoffOptions& options,
-                          const std::string& episodes) {
+                          const Episodes& episodes) {
   Judgement all = judge(unit, netlist, fates, options);
   CheckResult result;
   result.unit = unit;
@@ -167,12 +159,11 @@ CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
     all.faults.resize(Told);
     all.faults.push_back(fmt::format("and {} more; --json has all", more));
   }
-  if (!episodes.empty()) {
-    result.detail["episodes"] = episodes;
+  if (!episodes.file.empty()) {
+    result.detail["episodes"] = episodes.file;
     all.faults.push_back(
-        fmt::format("{} has episodes that find those; as tb/twin/streams/{}.stream they are part "
-                    "of the stimulus",
-                    episodes, unit));
+        fmt::format("{} has episodes that find those; as {} they are part of the stimulus",
+                    episodes.file, episodes.place));
   }
   result.faults = all.faults;
   return result;

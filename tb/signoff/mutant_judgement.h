@@ -13,10 +13,15 @@
 
 namespace racebeam {
 
+/// A file of streams, "" if there is none, and where it would be part of the stimulus.
+struct Episodes {
+  std::string file, place;
+};
+
 /// Bad: one has escaped, is undecided without a waiver, or is still alive; a waiver is of no use;
-/// more than 1 % are waived. `episodes`: the file of streams that find those which have escaped.
+/// more than 1 % are waived. `episodes`: that find those which have escaped.
 CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
                           const std::map<int, MutantFate>& fates, const SignoffOptions& options,
-                          const std::string& episodes);
+                          const Episodes& episodes);
 
 }  // namespace racebeam

@@ -28,6 +28,9 @@ namespace {
 constexpr int Enumerated = 16;  // bits of an input whose values are all looked at
 constexpr int Samples = 4096;   // of wider ones
 constexpr const char* Miter = "racebeam_miter";
+constexpr const char* Lowering =
+    "flatten\nmemory\nopt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
+    "setundef -undriven -init -zero\naigmap\nopt_clean\n";
 
 using Raw = std::uint64_t;
 
@@ -82,10 +85,10 @@ std::string range(int bits) { return bits > 1 ? fmt::format("[{}:0] ", bits - 1)
 std::string miter_commands(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
   return fmt::format(
       "read_rtlil plain.il\nrename {0} was_unit\nread_rtlil plain.il\n{1}rename {0} is_unit\n"
-      "read_verilog -sv miter.v\nhierarchy -top {2}\nproc\nflatten\nmemory\nopt -fast\n"
-      "dffunmap\ntechmap\nopt -fast -nodffe -nosdff\nsetundef -undriven -init -zero\naigmap\n"
-      "opt_clean\nwrite_aiger -zinit -map miter.map miter.aig\n",
-      proof.ports.unit, choosing_commands(mutants, mutant_bits(proof.netlist.mutants)), Miter);
+      "read_verilog -sv miter.v\nhierarchy -top {2}\nproc\n{3}"
+      "write_aiger -zinit -map miter.map miter.aig\n",
+      proof.ports.unit, choosing_commands(mutants, mutant_bits(proof.netlist.mutants)), Miter,
+      Lowering);
 }
 
 /// Both in one module, whose output is 1 when they differ.
@@ -168,7 +171,7 @@ MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& 
 // The text of a netlist tells yosys's version.
 std::string MutantProofs::key_of(int number) const {
   const Mutant& mutant = proof_.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
-  return content_key({proof_.netlist.rtlil, mutant.command, miter_}) + ".equal";
+  return content_key({proof_.netlist.rtlil, mutant.command, miter_, Lowering}) + ".equal";
 }
 
 void MutantProofs::read_map(const std::string& text) {

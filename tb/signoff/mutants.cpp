@@ -17,6 +17,7 @@
 #include "tb/signoff/mutant_netlist.h"
 #include "tb/signoff/mutant_proof.h"
 #include "tb/signoff/mutant_run.h"
+#include "tb/signoff/mutant_sizes.h"
 #include "tb/signoff/mutant_streams.h"
 #include "tb/signoff/shared_work.h"
 #include "tb/twin/bare_rtl.h"
@@ -79,6 +80,7 @@ class Survivors {
         [&](const std::string& line) { take(fate_of(line)); });
   }
 
+  const MutantStreams& streams() const { return streams_; }
   /// The file with few episodes that find all mutants which have a stream of their own, behind
   /// those that are known already; "" of none.
   std::string write_episodes(const std::map<int, MutantFate>& fates) const {
@@ -88,7 +90,7 @@ class Survivors {
         escaped.push_back({number, read_stream(fate.stream, streams_.form())});
     if (escaped.empty()) return "";
     const std::string& name = unit_.dut.unit;
-    const std::string known = known_streams(name);
+    const std::string known = known_streams(unit_.dut);
     std::string text =
         std::filesystem::exists(known)
             ? whole_file(known)
@@ -230,7 +232,18 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
     });
   }
   const std::string episodes = survivors.write_episodes(file.fates());
-  return judge_mutants(name, netlist, file.fates(), options, episodes);
+  CheckResult result =
+      judge_mutants(name, netlist, file.fates(), options, {episodes, known_streams(unit.dut)});
+  if (options.shrink && streams.front().name == RandomStream) {
+    const MutantSizes sizes =
+        mutant_sizes(survivors.streams(), streams.front(), file.fates(), options.jobs,
+                     [&](std::size_t shrunk, std::size_t of) {
+                       options.progress(fmt::format("{} of {} shrunk", shrunk, of));
+                     });
+    result.summary += "; shrunk: " + text_of(sizes);
+    result.detail["shrunk"] = to_json(sizes);
+  }
+  return result;
 }
 
 }  // namespace racebeam

@@ -29,6 +29,7 @@ struct SignoffOptions {
   int proof_seconds = 60;      ///< for each mutant
   /// Clocks of random traffic; a mutant that is found later gets a stream of its own. 0: none does.
   long long within = 0;
+  bool shrink = false;  ///< what random traffic finds of mutants, and tell the sizes
   int jobs = 1;
   std::vector<Waiver> waivers{};
   std::string folder = "racebeam_signoff";  ///< results are kept there

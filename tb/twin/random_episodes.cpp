@@ -12,8 +12,9 @@
 
 namespace racebeam {
 
-std::string known_streams(const std::string& unit) {
-  return project_folder() + "/tb/twin/streams/" + unit + ".stream";
+std::string known_streams(const UnitUnderTest& dut) {
+  return project_folder() + "/tb/twin/streams/" + engine_of(dut.k).name + "/" + dut.unit +
+         ".stream";
 }
 
 std::shared_ptr<RandomTraffic> random_traffic(const UnitUnderTest& dut, UnitBench& bench,
@@ -21,7 +22,7 @@ std::shared_ptr<RandomTraffic> random_traffic(const UnitUnderTest& dut, UnitBenc
   const engine& built = engine_of(dut.k);
   const LegalInputs legal = twins_of(built).inputs(dut.k);
   auto traffic = std::make_shared<RandomTraffic>(bench, legal, seed);
-  const std::string known = known_streams(dut.unit);
+  const std::string known = known_streams(dut);
   if (dut.k == built.standard(nullptr) && std::filesystem::exists(known))
     traffic->begin_with(read_episodes(known, stream_of(traffic_of(dut.unit, bench), legal)));
   return traffic;

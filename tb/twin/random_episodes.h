@@ -1,7 +1,7 @@
 // Random traffic as it goes into a unit that is alone: it begins with the episodes that
-// tb/twin/streams/UNIT.stream keeps, where there is one and no knob is set, since ports of other
-// knobs can be others. `racebeam signoff` writes such files: each episode shows a mistake that
-// random traffic finds late or not at all.
+// tb/twin/streams/ENGINE/UNIT.stream keeps, where there is one and no knob is set, since ports of
+// other knobs can be others. `racebeam signoff` writes such files: each episode shows a mistake
+// that random traffic finds late or not at all.
 //
 // A unit that counts frames is put to one: no episode is long enough to count there.
 //
@@ -20,7 +20,7 @@
 namespace racebeam {
 
 /// The path of a unit's known episodes; there may be no file.
-std::string known_streams(const std::string& unit);
+std::string known_streams(const UnitUnderTest& dut);
 
 /// For the model of `dut` on `bench`, before its first clock. Throws UsageError of a file of known
 /// episodes that is not for this unit.

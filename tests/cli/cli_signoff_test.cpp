@@ -72,6 +72,16 @@ TEST_F(CliSignoffTest, EveryMutantIsFoundOrProvedEqual) {
   EXPECT_GT(all["found"].get<int>(), 8);
 }
 
+TEST_F(CliSignoffTest, WhatFindsAMutantIsShrunk) {
+  const Json all = detail({"--random", "5000", "--shrink"}, 0);
+  EXPECT_EQ(all["shrunk"]["mutants"].get<int>() + all["shrunk"]["not_shrunk"].get<int>(),
+            all["found"].get<int>());
+  EXPECT_GT(all["shrunk"]["clocks"]["median"].get<int>(), 0);
+  EXPECT_LE(all["shrunk"]["clocks"]["median"], all["clocks"]["median"]);
+  EXPECT_LE(all["shrunk"]["clocks"]["median"], 10);
+  EXPECT_LE(all["shrunk"]["moving"]["median"], 3);
+}
+
 TEST_F(CliSignoffTest, WhatAShortStimulusMissesGetsACounterexampleAndNoProof) {
   const Json whole = detail({"--random", "5000"}, 0), few = detail({"--random", "2"}, 1);
   EXPECT_EQ(few["equal"], whole["equal"]);
