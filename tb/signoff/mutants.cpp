@@ -4,22 +4,16 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <map>
 #include <optional>
 
-#include "tb/base/forked.h"
 #include "tb/base/interrupt.h"
 #include "tb/base/output_file.h"
-#include "tb/base/whole_file.h"
 #include "tb/scene/engines.h"
 #include "tb/signoff/mutant_judgement.h"
 #include "tb/signoff/mutant_netlist.h"
-#include "tb/signoff/mutant_proof.h"
 #include "tb/signoff/mutant_run.h"
 #include "tb/signoff/mutant_sizes.h"
-#include "tb/signoff/mutant_streams.h"
-#include "tb/signoff/shared_work.h"
+#include "tb/signoff/mutant_survivors.h"
 #include "tb/twin/bare_rtl.h"
 #include "tb/twin/random_episodes.h"
 #include "tb/twin/twins.h"
@@ -45,131 +39,6 @@ std::string key_of(const MutantNetlist& netlist, const std::vector<RecordedStrea
     for (const std::string& file : stream.parts) parts.push_back(file_key(file));
   return content_key(parts);
 }
-
-/// Looks at mutants that no stream finds, or late.
-class Survivors {
- public:
-  Survivors(const SignoffUnit& unit, const SignoffOptions& options, const MutantNetlist& netlist,
-            const std::string& plugin, const std::string& work)
-      : unit_(unit),
-        options_(options),
-        netlist_(netlist),
-        plugin_(plugin),
-        ports_(ports_in(work)),
-        legal_(twins_of(engine_of(unit.dut.k)).inputs(unit.dut.k)),
-        streams_(plugin, ports_, legal_),
-        proof_{netlist, ports_, legal_, std::chrono::seconds(options.proof_seconds)} {}
-  Survivors(const Survivors&) = delete;
-  Survivors& operator=(const Survivors&) = delete;
-
-  /// `fates`: of each what is known. One that is found late stays so, unless a stream of its own
-  /// finds it.
-  void decide(const std::vector<MutantFate>& fates,
-              const std::function<void(const MutantFate&)>& take) const {
-    std::vector<int> numbers;
-    for (const MutantFate& fate : fates) numbers.push_back(fate.number);
-    const MutantProofs proofs(proof_, numbers);
-    share_work(
-        options_.jobs,
-        [&](int share, const SayLine& say) {
-          for (std::size_t n = 0; n < fates.size() && !interrupted(); ++n)
-            if (static_cast<int>(n % static_cast<std::size_t>(options_.jobs)) == share)
-              say(line_of(fates[n].state == MutantFate::Found ? late(fates[n], proofs)
-                                                              : survivor(fates[n].number, proofs)));
-        },
-        [&](const std::string& line) { take(fate_of(line)); });
-  }
-
-  const MutantStreams& streams() const { return streams_; }
-  /// The file with few episodes that find all mutants which have a stream of their own, behind
-  /// those that are known already; "" of none.
-  std::string write_episodes(const std::map<int, MutantFate>& fates) const {
-    std::vector<EscapedMutant> escaped;
-    for (const auto& [number, fate] : fates)
-      if (fate.state == MutantFate::Escaped)
-        escaped.push_back({number, read_stream(fate.stream, streams_.form())});
-    if (escaped.empty()) return "";
-    const std::string& name = unit_.dut.unit;
-    const std::string known = known_streams(unit_.dut);
-    std::string text =
-        std::filesystem::exists(known)
-            ? whole_file(known)
-            : stream_head(name, {"Found by yosys-abc for mistakes that random traffic finds late "
-                                 "or not at all: racebeam signoff " +
-                                 name});
-    for (const std::size_t n : covering_streams(streams_, escaped))
-      text += episode_text(escaped[n].stream, mutant(escaped[n].number).name);
-    const std::string file = fmt::format("{}/{}.stream", options_.folder, name);
-    write_text(file, text);
-    return file;
-  }
-
- private:
-  PortTraffic ports_in(const std::string& work) const {
-    const std::string file = work + "/ports";
-    forked([&] {
-      write_traffic(ports_of(unit_.dut), file);
-      return std::string();
-    });
-    return read_traffic(file);
-  }
-  const Mutant& mutant(int number) const {
-    return netlist_.mutants.at(static_cast<std::size_t>(number) - 1);
-  }
-
-  MutantFate survivor(int number, const MutantProofs& proofs) const {
-    const MutantProof proof = proofs.prove(number);
-    switch (proof.verdict) {
-      case MutantProof::Equal: return {number, MutantFate::Equal, "", 0, "", ""};
-      case MutantProof::Counterexample: return escaped(number, proof.inputs);
-      default: return undecided(number, proof.why);
-    }
-  }
-  MutantFate late(const MutantFate& fate, const MutantProofs& proofs) const {
-    const MutantProof proof = proofs.refute(fate.number);
-    if (proof.verdict != MutantProof::Counterexample) return fate;
-    const MutantFate own = escaped(fate.number, proof.inputs);
-    return own.state == MutantFate::Escaped ? own : fate;
-  }
-  MutantFate undecided(int number, const std::string& why) const {
-    return {number, MutantFate::Undecided,
-            "",     static_cast<std::uint64_t>(options_.proof_seconds),
-            "",     why};
-  }
-  /// A counterexample counts if the mutant shows it on what the model says, and the unit does not.
-  MutantFate escaped(int number, const std::vector<std::vector<std::uint64_t>>& inputs) const {
-    const auto small = streams_.smallest(number, inputs);
-    if (!small) return undecided(number, "the counterexample of yosys-abc shows no difference");
-    const std::string file =
-        fmt::format("{}/{}.mutant-{}.stream", options_.folder, unit_.dut.unit, number);
-    const StreamDifference& d = small->difference;
-    write_text(file,
-               stream_text(small->stream,
-                           {fmt::format("{}: {} differs in clock {}: {:#x} instead of {:#x}",
-                                        mutant(number).name, d.port, d.clock, d.got, d.expected)}));
-    forked([&] {
-      write_traffic(model_answers(unit_.dut, small->stream), file + ".traffic");
-      return std::string();
-    });
-    const PortTraffic traffic = read_traffic(file + ".traffic");
-    std::filesystem::remove(file + ".traffic");
-    if (BareRtl(plugin_, traffic).run(traffic, 0, traffic.clocks()))
-      return undecided(number, "model and RTL differ on the counterexample of yosys-abc, in " +
-                                   file + ": registers without reset?");
-    return {number, MutantFate::Escaped,
-            file,   d.clock,
-            d.port, fmt::format("{:#x} instead of {:#x}", d.got, d.expected)};
-  }
-
-  const SignoffUnit& unit_;
-  const SignoffOptions& options_;
-  const MutantNetlist& netlist_;
-  const std::string plugin_;
-  const PortTraffic ports_;
-  const LegalInputs legal_;
-  const MutantStreams streams_;
-  const ProofOfMutants proof_;
-};
 
 CheckResult broken(const SignoffUnit& unit, const std::string& summary, const std::string& fault) {
   CheckResult result;
@@ -223,7 +92,7 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
         (fate.state == MutantFate::Undecided &&
          fate.clock < static_cast<std::uint64_t>(options.proof_seconds)))
       open.push_back(fate);
-  const Survivors survivors(unit, options, netlist, plugin, work.path());
+  const MutantSurvivors survivors(unit, options, netlist, plugin, work.path());
   if (!open.empty()) {
     done = 0;
     survivors.decide(open, [&](const MutantFate& fate) {

@@ -1,0 +1,61 @@
+// Mutants that no stream finds, or that are found late: proved equal, or given a stream of their
+// own.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tb/signoff/mutant_fate.h"
+#include "tb/signoff/mutant_netlist.h"
+#include "tb/signoff/mutant_proof.h"
+#include "tb/signoff/mutant_streams.h"
+#include "tb/signoff/signoff_unit.h"
+#include "tb/twin/legal_inputs.h"
+#include "tb/twin/port_traffic.h"
+
+namespace racebeam {
+
+class MutantSurvivors {
+ public:
+  /// `plugin`: the netlist of all mutants; `work`: a folder for what is soon gone. All of them must
+  /// live as long as this does.
+  MutantSurvivors(const SignoffUnit& unit, const SignoffOptions& options,
+                  const MutantNetlist& netlist, const std::string& plugin, const std::string& work);
+  MutantSurvivors(const MutantSurvivors&) = delete;
+  MutantSurvivors& operator=(const MutantSurvivors&) = delete;
+
+  /// `fates`: of each what is known. One that is found late stays so, unless a stream of its own
+  /// finds it. Throws RtlError, MissingTool, Interrupted, OutputError.
+  void decide(const std::vector<MutantFate>& fates,
+              const std::function<void(const MutantFate&)>& take) const;
+  const MutantStreams& streams() const { return streams_; }
+  /// The file with few episodes that find all mutants which have a stream of their own, behind
+  /// those that are known already; "" of none. Throws UsageError, OutputError.
+  std::string write_episodes(const std::map<int, MutantFate>& fates) const;
+
+ private:
+  const Mutant& mutant(int number) const {
+    return netlist_.mutants.at(static_cast<std::size_t>(number) - 1);
+  }
+  MutantFate survivor(int number, const MutantProofs& proofs) const;
+  MutantFate late(const MutantFate& fate, const MutantProofs& proofs) const;
+  MutantFate undecided(int number, const std::string& why) const;
+  MutantFate escaped(int number, const std::vector<std::vector<std::uint64_t>>& inputs) const;
+
+  const SignoffUnit& unit_;
+  const SignoffOptions& options_;
+  const MutantNetlist& netlist_;
+  const std::string& plugin_;
+  const PortTraffic ports_;
+  const LegalInputs legal_;
+  const MutantStreams streams_;
+  const ProofOfMutants proof_;
+};
+
+}  // namespace racebeam
