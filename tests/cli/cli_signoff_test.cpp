@@ -115,6 +115,12 @@ TEST_F(CliSignoffTest, AMistakeInTheRtlTurnsItRed) {
   EXPECT_THAT(run.out(), HasSubstr("model and RTL differ in clock"));
 }
 
+TEST_F(CliSignoffTest, AFileOfAnotherNameIsNoWarning) {
+  std::ofstream(folder / "mine.sv") << read_file(rtl_file("stacks"));
+  Program run(folder.path(), {"signoff", "stacks=mine.sv", "--only", "lint"});
+  EXPECT_EQ(run.wait(), 0) << run.out();
+}
+
 TEST_F(CliSignoffTest, AWarningTurnsItRed) {
   std::string text = read_file(rtl_file("stacks"));
   text.insert(text.rfind("endmodule"),
