@@ -8,8 +8,7 @@ PictureWaits::PictureWaits(const picture_chip& chip, const knob_values& k,
                            std::uint64_t line_clocks)
     : store_(chip),
       two_lines_(2 * line_clocks),
-      depth_(static_cast<std::uint64_t>(k.of("write_buffer_depth"))),
-      write_policy_(k.of("write_policy")) {}
+      depth_(static_cast<std::uint64_t>(k.of("write_buffer_depth"))) {}
 
 void PictureWaits::clock() {
   const bool take = store_.take_valid.read(), ready = store_.take_ready.read();
@@ -18,9 +17,6 @@ void PictureWaits::clock() {
   line_.see(!store_.line_end.read());
   full_.see(!store_.put_ready.read() && !take);
   reads_.see(store_.read.read());
-  shut_.see(write_policy_ == WritePolicySync       ? !store_.sync.read()
-            : write_policy_ == WritePolicyBlanking ? !store_.blank.read()
-                                                   : false);
   offered_.see(put);
   takes_ = put ? 0 : takes_ + (take && ready);
   look();
@@ -32,13 +28,14 @@ std::vector<Wait> PictureWaits::chain() const {
             {"vga_timing", "", line_.clocks, "its lines do not go on"}};
   // It may have to wait for a line's end.
   if (refused_ >= two_lines_) {
-    std::vector<Wait> links = {{"write_buffer", "store_arbiter.take_ready_o = 1", refused_.clocks}};
-    links.push_back(arbiter());
-    if (links.back().port.empty()) return links;
+    const Wait refused = {"write_buffer", "store_arbiter.take_ready_o = 1", refused_.clocks};
     if (reads_ >= two_lines_)
-      links.push_back({"frame_scanout", "", reads_.clocks, "it reads in every clock"});
-    else links.push_back({"vga_timing", "", shut_.clocks, "it does not let a word be written"});
-    return links;
+      return {refused,
+              {"store_arbiter", "frame_scanout.read_o = 0", reads_.clocks},
+              {"frame_scanout", "", reads_.clocks, "it reads in every clock"}};
+    return {
+        refused,
+        {"store_arbiter", "", refused_.clocks, "it refuses the word on offer (take_valid_i = 1)"}};
   }
   if (full_ >= Told)
     return {{"write_buffer", "", full_.clocks,
@@ -46,16 +43,6 @@ std::vector<Wait> PictureWaits::chain() const {
   if (takes_ > 2 * depth_)
     return {{"write_buffer", "", takes_, "it offers more words than were put into it"}};
   return tracer();
-}
-
-Wait PictureWaits::arbiter() const {
-  if (reads_ >= two_lines_) return {"store_arbiter", "frame_scanout.read_o = 0", reads_.clocks};
-  if (shut_ >= two_lines_)
-    return {
-        "store_arbiter",
-        write_policy_ == WritePolicySync ? "vga_timing.hsync_no = 0" : "vga_timing.active_o = 0",
-        shut_.clocks};
-  return {"store_arbiter", "", refused_.clocks, "it refuses the word on offer (take_valid_i = 1)"};
 }
 
 }  // namespace racebeam

@@ -29,12 +29,9 @@ class PictureWaits : public WaitWatch {
   bool repeats() const { return offered_ >= two_lines_; }
 
  private:
-  Wait arbiter() const;
-
   const picture_chip& store_;
   const std::uint64_t two_lines_, depth_;  // of the raster, in clocks; of the write buffer
-  const int write_policy_;
-  Held refused_, line_, full_, reads_, shut_, offered_;
+  Held refused_, line_, full_, reads_, offered_;
   std::uint64_t takes_ = 0;  // since a word was put
 };
 

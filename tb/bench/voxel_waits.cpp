@@ -4,8 +4,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "sc/voxel/codes.h"
 #include "sc/voxel/engine.h"
 #include "sc/voxel/voxel_chip.h"
@@ -22,9 +20,7 @@ class VoxelWaits final : public PictureWaits {
       : PictureWaits(chip, k,
                      static_cast<std::uint64_t>(raster_of(voxel_engine(), k).line_clocks())),
         chip_(chip),
-        heard_(heard),
-        most_outer_(std::max(k.of("max_outer"), k.of("shadow_outer"))),
-        most_inner_(std::max(k.of("max_inner"), k.of("shadow_inner"))) {}
+        heard_(heard) {}
 
  private:
   void look() override {
@@ -35,13 +31,6 @@ class VoxelWaits final : public PictureWaits {
     shade_.see(scan == VoxelScanShade && !chip_.shade_done.read());
     leaf_.see(walker == VoxelLeaf && !chip_.leaf_done.read());
     idle_.see(walker == VoxelIdle);
-    if (chip_.start.read()) {
-      outer_ = inner_ = 0;
-      reached_ = false;
-    }
-    outer_ += chip_.outer.read();
-    inner_ += chip_.inner.read();
-    reached_ |= chip_.reached.read();
   }
 
   std::vector<Wait> tracer() const override {
@@ -71,11 +60,6 @@ class VoxelWaits final : public PictureWaits {
     if (leaf_ >= Told && heard_.of("leaf_done") <= heard_.of("leaf")) {
       links.push_back({"voxel_walker", "voxel_leaf.done_o = 1", leaf_.clocks});
       links.push_back({"voxel_leaf", "", leaf_.clocks, "done_o stays 0"});
-    } else if (!reached_ && (outer_ > most_outer_ || inner_ > most_inner_)) {
-      links.push_back({"voxel_walker", "voxel_limits.reached_o = 1", ray_.clocks});
-      links.push_back({"voxel_limits", "", 0,
-                       fmt::format("reached_o stays 0, after {} voxels and {} samples of a ray",
-                                   outer_, inner_)});
     } else {
       links.push_back({"voxel_walker", "", ray_.clocks,
                        idle_ >= Told ? "it is idle, though a ray was begun (start_i = 1)"
@@ -88,10 +72,7 @@ class VoxelWaits final : public PictureWaits {
 
   const voxel_chip& chip_;
   const LastRises& heard_;
-  const int most_outer_, most_inner_;
   Held building_, ray_, shade_, leaf_, idle_;
-  int outer_ = 0, inner_ = 0;  // of this ray, as far as it was watched
-  bool reached_ = false;
 };
 
 }  // namespace

@@ -62,9 +62,6 @@ std::vector<Plant> in_stores() {
   all.push_back(in("voxel", "store", "WriteBufferOffersForEver", "write_buffer",
                    "assign take_valid_o = full_q || head_q != tail_q;",
                    "assign take_valid_o = 1'b1;"));
-  all.push_back(in("voxel", "video", "VgaTimingHasNoSync", "vga_timing",
-                   "assign hsync_no = h_region_q != HSync;", "assign hsync_no = 1'b1;",
-                   {"--set", "write_policy=sync"}));
   return all;
 }
 
@@ -152,8 +149,6 @@ std::vector<Plant> other_plants() {
       voxel("VoxelWalkerForgetsItsLimit", "voxel_walker",
             "wire logic limited = limit && step_q == LastLimit;", "wire logic limited = 1'b0;",
             {"--set", "max_outer=3"}),
-      voxel("VoxelLimitsAreNeverReached", "voxel_limits",
-            "assign reached_o = ", "assign reached_o = 1'b0 && ", {"level.toml"}),
       voxel("VoxelShadeHasNoSky", "voxel_shade", "assign done_o = step_q == Last;",
             "assign done_o = step_q == Last && kind_q != voxel_pkg::VoxelSky;", {"level.toml"}),
 
@@ -163,7 +158,7 @@ std::vector<Plant> other_plants() {
             "wire logic [Cores-1:0] ready = job_ready_i[Cores-1:0];",
             "wire logic [Cores-1:0] ready = x_q == '0 ? job_ready_i[Cores-1:0] : '0;"),
       block("BlockBusAnswersNobody", "block_bus", "assign word_ready_o = bus_ready_i ?",
-            "assign word_ready_o = bus_ready_i && later_q == '0 ?"),
+            "assign word_ready_o = bus_ready_i && !word_valid_i[0] ?"),
       block("BlockCoreIsNeverReady", "block_core",
             "assign job_ready_o = state_q == block_pkg::BlockIdle;",
             "assign job_ready_o = state_q == block_pkg::BlockIdle && job_x_q == '0;"),
@@ -189,7 +184,7 @@ std::vector<Plant> harmless_plants() {
                     "else dr2_d = subtract ? dr2_q ^ change : dr2_q + (change << 1);"),
                "walks end by counting, bisections by halving, descents at the deepest room"),
       harmless(beam("Rooms", "scene", "RoomPortBits'(neighbour) : '1;",
-                    "RoomPortBits'(neighbour ^ 9'd5) : RoomPortBits'(neighbour);"),
+                    "RoomPortBits'(neighbour ^ 9'd5) : racebeam_pkg::RoomPortBits'(neighbour);"),
                "with one portal in a face each descent ends at the deepest room"),
       harmless(beam("Flight", "navigator", "RoomPortBits'({room_j_q, 4'd4});",
                     "RoomPortBits'({~room_j_q, 4'd9});"),
@@ -215,6 +210,9 @@ std::vector<Plant> harmless_plants() {
       harmless(voxel("Inverses", "voxel_setup", "else if (divides) step_q <= step_q + 1'b1;",
                      "else if (divides) step_q <= step_q + 4'd3;"),
                "nobody waits for done_o, and a ray ends at its limits"),
+      harmless(voxel("Limits", "voxel_limits", "assign reached_o = ", "assign reached_o = 1'b0 && ",
+                     {"level.toml"}),
+               "a ray ends where its numbers end, too"),
       harmless(voxel("Addresses", "voxel_address", "assign inside_o = z_i < side_z;",
                      "assign inside_o = 1'b1;"),
                "a ray through any voxels ends at its limits"),
