@@ -101,10 +101,27 @@ INSTANTIATE_TEST_SUITE_P(LongPlants, LongCliHangTest, testing::ValuesIn(other_pl
 INSTANTIATE_TEST_SUITE_P(LongPlants, LongHarmlessTest, testing::ValuesIn(harmless_plants()),
                          name_of);
 
+/// For the voxel tracer: a world whose columns the host sends for more than two frames.
+constexpr const char* Large = R"(
+name = "large"
+engine = "voxel"
+[terrain]
+function = "hills"
+size = [1024, 2048, 64]
+voxel = [16, 16, 16]
+[camera]
+position = [256, 0, 80]
+[picture]
+size = [64, 48]
+)";
+
 // RTL that is right, which may starve, restart and wait as it likes.
-void expect_no_alarm(const Words& more) {
+void expect_no_alarm(const Words& more, const char* scene = "demo",
+                     const char* unit = "interval_fifo") {
   const ScratchFolder folder;
-  Words words = {"render", "demo", "--use", "interval_fifo=rtl", "--crc", "--json", "-o", "out"};
+  std::ofstream(folder / "large.toml") << Large;
+  Words words = {"render", scene,    "--use", std::string(unit) + "=rtl",
+                 "--crc",  "--json", "-o",    "out"};
   words.insert(words.end(), more.begin(), more.end());
   Program run(folder.path(), words);
   EXPECT_EQ(run.wait(), 0) << run.err();
@@ -118,6 +135,9 @@ TEST(NoAlarm, InAChipThatHardlyEverEndsALine) {
 }
 TEST(NoAlarm, WithStallsMostOfTheTime) {
   expect_no_alarm({"--at", "7140", "--shake", "1,0.3,0.99"});
+}
+TEST(LongNoAlarm, WhileTheHostSendsALargeWorld) {
+  expect_no_alarm({"--frames", "1"}, "large.toml", "voxel_shade");
 }
 TEST(LongNoAlarm, In128FramesOfTheDemo) { expect_no_alarm({"--frames", "128", "--every", "99"}); }
 
