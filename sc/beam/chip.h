@@ -52,6 +52,8 @@ class chip final : public wired_chip {
 
   /// The wires of the present clock, settled if called at its end.
   chip_view view() const;
+  /// timeline and scene_rom are in it.
+  bool has_program() const { return program_; }
 
   void connect(const wired_chip::pins& bench) override;
   void set_pins() override;

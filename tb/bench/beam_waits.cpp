@@ -39,6 +39,8 @@ void BeamWaits::clock() {
   no_line_end_.see(!chip_.line_end.read());
   line_end_.see(chip_.line_end.read());
   reset_.see(!chip_.run.read());
+  running_.see(chip_.run.read());
+  lock_.see(chip_.lock.read());
   // Not where camera_unit begins its walk anew in each clock.
   if (!chip_.line_end.read())
     stepping_in_reset_.see(!chip_.run.read() && chip_.step.read() && !chip_.idx_load.read());
@@ -71,6 +73,9 @@ void BeamWaits::look_at_tracer() {
   tag_ = tag;
   descents_ =
       chip_.emit.read() || chip_.wall.read() || chip_.restart.read() ? 0 : descents_ + descended_;
+  // Within a room no decision is of level 4 or above.
+  if (chip_.leave.read() != 0 && (tag >> 1 & 4) == 0) ++asides_;
+  else if (chip_.descend.read() || chip_.wall.read() || chip_.restart.read()) asides_ = 0;
   remember_pushes();
 }
 
@@ -96,6 +101,12 @@ Wait BeamWaits::tracer() const {
     return {"subdivider", "", stepping_in_reset_.clocks,
             "it steps on and on (step_o = 1), and camera_unit waits for the end of that"};
   if (reset_ >= Camera) return {"subdivider", "camera_unit.run_o = 1", reset_.clocks};
+  if (running_ >= line_ + line_ / 4)
+    return {"subdivider", "camera_unit.run_o = 0", running_.clocks};
+  // It steps with the beam, to the end of the line at most.
+  if (lock_ >= line_ + line_ / 4)
+    return {"subdivider", chip_.has_program() ? "timeline.lock_o = 0" : "sequencer.lock_o = 0",
+            lock_.clocks};
   if (second_ >= Move) return {"subdivider", "decision_datapath.second_o = 0", second_.clocks};
   if (climb_stays_ >= Move)
     return {"subdivider", "decision_datapath.tag_o = the place to climb to", climb_stays_.clocks};
@@ -103,13 +114,22 @@ Wait BeamWaits::tracer() const {
     return {"subdivider", "decision_datapath.tag_o = the place to climb to", climb_.clocks};
   if (descend_stays_ >= Move)
     return {"subdivider", "decision_datapath.tag_o = the next place down", descend_stays_.clocks};
+  if (asides_ > MaxPortals)
+    return {"subdivider", "decision_datapath.wall_o = 1", static_cast<std::uint64_t>(asides_)};
   if (descents_ > DescentsToWall * knobs_.portals_per_face)
     return {"subdivider", "decision_datapath.wall_o = 1", static_cast<std::uint64_t>(descents_)};
   return {"subdivider", "", 0,
           "it offers no interval, and neither camera_unit nor decision_datapath keeps it"};
 }
 
+Wait BeamWaits::conductor() const {
+  return {chip_.has_program() ? "timeline" : "sequencer", "", lock_.clocks,
+          "lock_o stays 1, beyond the end of a line", true};
+}
+
 Wait BeamWaits::camera() const {
+  if (running_ >= line_ + line_ / 4)
+    return {"camera_unit", "", running_.clocks, "run_o stays 1, beyond the end of a line", true};
   return {"camera_unit", "", reset_.clocks, "run_o stays 0, and nothing keeps it"};
 }
 
@@ -127,6 +147,10 @@ Wait BeamWaits::decision() const {
   if (descend_stays_ >= Move)
     return {"decision_datapath", "", descend_stays_.clocks, "descend_i is 1, and tag_o stays",
             true};
+  if (asides_ > MaxPortals)
+    return {"decision_datapath",
+            std::string(chip_.has_program() ? "scene_rom" : "scene") + ".neighbour_o = none",
+            static_cast<std::uint64_t>(asides_)};
   return {"decision_datapath", "", static_cast<std::uint64_t>(descents_),
           "it descends, and meets no wall", descents_ > DescentsToWall * knobs_.portals_per_face};
 }
@@ -138,6 +162,10 @@ std::vector<Wait> BeamWaits::chain() const {
     if (next == "subdivider") links.push_back(tracer());
     else if (next == "camera_unit") links.push_back(camera());
     else if (next == "decision_datapath") links.push_back(decision());
+    else if (next == "sequencer" || next == "timeline") links.push_back(conductor());
+    else if (next == "scene" || next == "scene_rom")
+      links.push_back({next, "", links.back().clocks,
+                       "beside a portal of a face there is always another one", true});
     else if (next == "stacks")
       links.push_back({"stacks", "", 0, "top_tag_o is not what was pushed there", true});
     else links.push_back({"vga_timing", "", links.back().clocks, "its lines do not go on", true});
@@ -145,7 +173,8 @@ std::vector<Wait> BeamWaits::chain() const {
   return links;
 }
 
-std::unique_ptr<WaitWatch> make_beam_waits(const wired_chip& watched, const knob_values& k) {
+std::unique_ptr<WaitWatch> make_beam_waits(const wired_chip& watched, const knob_values& k,
+                                           const LastRises&) {
   return std::make_unique<BeamWaits>(static_cast<const chip&>(watched), k);
 }
 

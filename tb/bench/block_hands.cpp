@@ -26,7 +26,7 @@ void BlockHands::begin(int picture) {
   next_ = 0;
   clocks_ = 0;
   start_ = block_machine::host_clocks(tables.balls.size());
-  started_ = false;
+  asked_ = started_ = false;
   block_chip::host_wires& at = chip_.host();
   at.spheres.write(static_cast<unsigned>(tables.balls.size()));
   at.ax.write(static_cast<std::uint32_t>(world.ax));
@@ -55,7 +55,9 @@ bool BlockHands::send() {
     ++next_;
     put_number();
   }
-  at.start.write(next_ == numbers_.size() && clocks_ == start_);
+  const bool starts = !asked_ && next_ == numbers_.size() && clocks_ >= start_;
+  asked_ |= starts;
+  at.start.write(starts);
   started_ |= !at.done.read();
   return started_ && at.done.read();
 }

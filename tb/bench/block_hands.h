@@ -43,6 +43,7 @@ class BlockHands final : public PictureHands {
   std::size_t next_ = 0;  // number that is offered
   int clocks_ = 0;        // of the picture
   int start_ = 0;         // the first one in which it may start
+  bool asked_ = false;    // start was sent
   bool started_ = false;  // the scheduler deals
   block_counters counters_;
 };

@@ -9,7 +9,6 @@ namespace racebeam {
 
 namespace {
 
-constexpr int WatchedLines = 2;
 constexpr int Slower = 50;  // a chip whose channels stall nearly all of the time
 
 std::uint64_t clocks_of(int lines, int line_clocks) {
@@ -28,14 +27,15 @@ HangWatch::HangWatch(const wired_chip& chip, const knob_values& k, const WaitKin
       period_(period),
       limit_(clocks_of(kind.lines * (stalled ? Slower : 1), line_clocks)),
       rare_limit_(clocks_of(kind.rare_lines * (stalled ? Slower : 1), line_clocks)),
-      watched_for_(clocks_of(WatchedLines, line_clocks)),
+      watched_for_(clocks_of(kind.watched_lines, line_clocks)),
       steady_(!stalled && kind.steady(k)) {
-  note(kind.progress, last_);
-  if (!kind.rare.empty()) note(kind.rare, last_rare_);
+  note(kind.progress, [this] { last_ = sc_core::sc_time_stamp(); });
+  if (!kind.rare.empty()) note(kind.rare, [this] { last_rare_ = sc_core::sc_time_stamp(); });
+  for (const char* const name : kind.heard) note({name}, [this, name] { heard_.rose(name); });
 }
 
-// The time of the last rising edge of one of the chip's wires.
-void HangWatch::note(const std::vector<const char*>& wires, sc_core::sc_time& last) {
+// At each rising edge of one of the chip's wires.
+void HangWatch::note(const std::vector<const char*>& wires, const std::function<void()>& rose) {
   sc_core::sc_spawn_options process;
   process.spawn_method();
   for (const char* const name : wires) {
@@ -44,8 +44,8 @@ void HangWatch::note(const std::vector<const char*>& wires, sc_core::sc_time& la
     if (!found) throw std::logic_error("no wire of one bit is called " + path);
     process.set_sensitivity(&found->posedge_event());
   }
-  sc_core::sc_spawn([&last] { last = sc_core::sc_time_stamp(); },
-                    sc_core::sc_gen_unique_name("progress"), &process);
+  process.dont_initialize();
+  sc_core::sc_spawn(rose, sc_core::sc_gen_unique_name("progress"), &process);
 }
 
 std::uint64_t HangWatch::since(const sc_core::sc_time& time) const {
@@ -61,7 +61,7 @@ bool HangWatch::hangs(bool idle) {
     return false;
   }
   if (!looking_) {
-    waits_ = kind_.make(chip_, knobs_);
+    waits_ = kind_.make(chip_, knobs_, heard_);
     looking_since_ = sc_core::sc_time_stamp();
     looking_ = true;
     look();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -38,7 +39,7 @@ class HangWatch {
  private:
   void look();
   std::uint64_t since(const sc_core::sc_time& time) const;
-  void note(const std::vector<const char*>& wires, sc_core::sc_time& last);
+  void note(const std::vector<const char*>& wires, const std::function<void()>& rose);
 
   const wired_chip& chip_;
   const knob_values knobs_;
@@ -47,6 +48,7 @@ class HangWatch {
   const sc_core::sc_time period_;
   const std::uint64_t limit_, rare_limit_, watched_for_;  // clocks
   sc_core::sc_time last_, last_rare_;
+  LastRises heard_;
   std::unique_ptr<WaitWatch> waits_;  // while it is watched
   sc_core::sc_time looking_since_;
   const bool steady_;

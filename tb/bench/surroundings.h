@@ -17,6 +17,8 @@ class Surroundings {
   virtual void clock() = 0;
   /// A picture was begun, and is not done.
   virtual bool busy() const = 0;
+  /// The host is at work, and nobody waits for the chip.
+  virtual bool sends() const { return false; }
   /// Begins no picture until the next seek(). The one that was begun is given up, which takes a
   /// frame; or it ends while the chip is busy.
   virtual void stop() = 0;

@@ -23,6 +23,9 @@ class VoxelHands final : public PictureHands {
 
   /// The host has no reset: the picture goes on to its end.
   void stop() override { hold(); }
+  bool sends() const override {
+    return deed_ < deeds_.size() && deeds_[deed_].kind != VoxelDeed::Build;
+  }
 
   /// What was counted of the picture that was done last.
   const voxel_counters& counters() const { return counters_; }

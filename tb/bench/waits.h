@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
+#include <systemc>
 #include <vector>
 
 #include "sc/base/engine.h"
@@ -32,6 +34,20 @@ struct Held {
   bool operator>=(std::uint64_t limit) const { return clocks >= limit; }
 };
 
+/// When wires of the chip rose last: who was told what before anybody looked.
+class LastRises {
+ public:
+  void rose(const std::string& wire) { last_[wire] = sc_core::sc_time_stamp(); }
+  /// 0: never.
+  sc_core::sc_time of(const std::string& wire) const {
+    const auto found = last_.find(wire);
+    return found == last_.end() ? sc_core::SC_ZERO_TIME : found->second;
+  }
+
+ private:
+  std::map<std::string, sc_core::sc_time> last_;
+};
+
 class WaitWatch {
  public:
   virtual ~WaitWatch() = default;
@@ -49,10 +65,13 @@ struct WaitKind {
   int lines;                          ///< so many scan lines without are too many
   std::vector<const char*> rare;      ///< wires whose rising edges come to a chip in good time
   int rare_lines;                     ///< after so many without, a wait that is sure is a fault
+  int watched_lines;                  ///< so long the waits are watched
+  std::vector<const char*> heard;     ///< wires that `make` is told the last rises of
   /// Whether progress comes in that time to every chip with these knobs; if not, and where
   /// channels stall, only a wait that is sure is a fault.
   bool (*steady)(const knob_values& k);
-  std::unique_ptr<WaitWatch> (*make)(const wired_chip& chip, const knob_values& k);
+  std::unique_ptr<WaitWatch> (*make)(const wired_chip& chip, const knob_values& k,
+                                     const LastRises& heard);
 };
 
 /// The row of an engine. Throws std::out_of_range.

@@ -181,7 +181,7 @@ void WiredBench::Platform::watch_hangs() {
 }
 
 void WiredBench::Platform::check_hang() const {
-  if (!hang->hangs(around && !around->busy())) return;
+  if (!hang->hangs(around && (!around->busy() || around->sends()))) return;
   const std::string seen =
       hang->stands()
           ? fmt::format("the last time that {} was {}", hang->kind().what, last_progress())

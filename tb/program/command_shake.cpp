@@ -25,6 +25,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* HeldBack = "clocks_per_pixel";
 constexpr int Slowest = 8;
+/// A restart after an overflow of it does not bear to wait (docs/stalls.md).
+constexpr const char* Overflows = "interval_stack_depth";
+constexpr int Deep = 16;
 
 /// Of an engine that races the beam the beam is held back, unless --set says how much.
 Run held_back(const ShakeCommandOptions& options, bool& held) {
@@ -91,8 +94,16 @@ std::string repeat_text(const ShakeCommandOptions& options, const stall_plan& pl
   return text + options.set_text();
 }
 
-std::string difference_text(const ShakeCommandOptions& options, const stall_plan& plan,
-                            const ShakenPicture& picture, const char* what) {
+bool may_overflow(const Run& run) {
+  const auto& rows = run.show.engine().knobs;
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const knob_row& row) { return row.name == std::string(Overflows); }) &&
+         run.k.of(Overflows) < Deep;
+}
+
+std::string difference_text(const ShakeCommandOptions& options, const Run& run,
+                            const stall_plan& plan, const ShakenPicture& picture,
+                            const char* what) {
   std::string text = fmt::format(
       "{} {}, seed {}: {} pixels have another colour with stalls, the first at ({}, {}): {:#x} "
       "instead of {:#x}",
@@ -103,6 +114,11 @@ std::string difference_text(const ShakeCommandOptions& options, const stall_plan
         "\n{} pixels or intervals starved: if the units are right, they need more time: fewer "
         "stalls, or a slower beam (--set {}={})",
         picture.starved, HeldBack, Slowest);
+  else if (may_overflow(run))
+    text += fmt::format(
+        "\nif the units are right, it may be a restart that had to wait, which is another picture: "
+        "--set {}={} has none",
+        Overflows, Deep);
   return text + "\nagain: " + repeat_text(options, plan, picture);
 }
 
@@ -168,7 +184,7 @@ int command_shake(const ShakeCommandOptions& options) {
                       held ? fmt::format(", {}={}", HeldBack, Slowest) : "", differing));
   for (const ShakenPicture& picture : pictures)
     if (picture.pixels > 0) {
-      tell_difference(difference_text(options, *plan, picture, what));
+      tell_difference(difference_text(options, run, *plan, picture, what));
       break;
     }
   if (interrupted()) return ExitInterrupted;

@@ -5,9 +5,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
-#include <stdexcept>
 
+#include "tests/cli/hang_plants.h"
 #include "tests/cli/program.h"
 
 namespace racebeam {
@@ -17,90 +18,110 @@ using testing::HasSubstr;
 using testing::Not;
 using Words = std::vector<std::string>;
 
-struct Plant {
-  const char *name, *unit;    ///< of the test; that the chain must end with
-  const char *right, *wrong;  ///< text of the RTL, and what stands there instead
-  const char* scene = "demo";
-  const char* folder = "beam";
-};
-void PrintTo(const Plant& plant, std::ostream* out) { *out << plant.name; }
+/// For the voxel tracer: in its middle a ray that is level, and above everything.
+constexpr const char* Level = R"(
+name = "level"
+engine = "voxel"
+[terrain]
+function = "tiny"
+size = [64, 64, 32]
+[camera]
+position = [32.5, 2.25, 31.5]
+d00 = [-6710880, 10066330, 5033160]
+dx = [209715, 0, 0]
+dy = [0, 0, -209715]
+[picture]
+size = [64, 48]
+)";
 
-constexpr const char* Voxel = RACEBEAM_SOURCE_DIR "/tests/museum/voxel.toml";
-constexpr const char* Block = RACEBEAM_SOURCE_DIR "/tests/museum/block.toml";
-
-class CliHangTest : public testing::TestWithParam<Plant> {
+class PlantTest : public testing::TestWithParam<Plant> {
  protected:
-  void plant() {
+  /// With the RTL of the unit's folder, in which one text is another.
+  Program run() {
     const Plant& p = GetParam();
-    std::string text =
-        read_file(std::string(RACEBEAM_SOURCE_DIR "/rtl/") + p.folder + "/" + p.unit + ".sv");
+    namespace fs = std::filesystem;
+    const fs::path own = fs::path(RACEBEAM_SOURCE_DIR "/rtl") / p.file;
+    const std::string mine = folder.path() + "/mine/";
+    fs::copy(own.parent_path(), mine);
+    std::string text = read_file(own.string());
     const auto at = text.find(p.right);
-    ASSERT_NE(at, std::string::npos) << p.right;
-    text.replace(at, std::string(p.right).size(), p.wrong);
-    std::ofstream(folder / "mine.sv") << text;
+    EXPECT_NE(at, std::string::npos) << p.right;
+    if (at != std::string::npos) text.replace(at, std::string(p.right).size(), p.wrong);
+    std::ofstream(mine + own.filename().string()) << text;
+    std::ofstream(folder / "level.toml") << Level;
+    return Program(folder.path(), words());
   }
+
+  Words words() const {
+    const Plant& p = GetParam();
+    Words more(p.more.begin(), p.more.end());
+    std::string scene = "demo";
+    if (p.engine != std::string("beam"))
+      scene = std::string(RACEBEAM_SOURCE_DIR "/tests/museum/") + p.engine + ".toml";
+    if (!more.empty() && more.front().rfind("--", 0) != 0) {
+      scene = more.front();
+      more.erase(more.begin());
+    }
+    Words all = {"render", scene, "--use", std::string(p.unit) + "=mine/" + p.unit + ".sv",
+                 "--crc"};
+    if (scene == "demo") all.insert(all.end(), {"--first", "7223", "--frames", "2"});
+    else all.insert(all.end(), {"--frames", "1"});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  void expect_named() {
+    Program program = run();
+    EXPECT_EQ(program.wait(), 2) << program.err();
+    const std::string said = program.err();
+    EXPECT_THAT(said, HasSubstr("the chip makes no progress: "));
+    EXPECT_THAT(said, HasSubstr(std::string(GetParam().unit) + " waits for nobody"));
+    EXPECT_THAT(said, Not(HasSubstr("internal error")));
+  }
+
   ScratchFolder folder;
 };
 
-TEST_P(CliHangTest, IsNamedAtTheEndOfTheChain) {
-  plant();
-  const Plant& p = GetParam();
-  Words words = {"render", p.scene, "--use", std::string(p.unit) + "=mine.sv", "--crc"};
-  if (p.scene == std::string("demo")) words.insert(words.end(), {"--first", "7223"});
-  Program run(folder.path(), words);
-  EXPECT_EQ(run.wait(), 2) << run.err();
-  const std::string said = run.err();
-  EXPECT_THAT(said, HasSubstr("the chip makes no progress: "));
-  EXPECT_THAT(said, HasSubstr(std::string(p.unit) + " waits for nobody"));
-  EXPECT_THAT(said, Not(HasSubstr("internal error")));
+using CliHangTest = PlantTest;
+TEST_P(CliHangTest, IsNamedAtTheEndOfTheChain) { expect_named(); }
+using LongCliHangTest = PlantTest;
+TEST_P(LongCliHangTest, IsNamedAtTheEndOfTheChain) { expect_named(); }
+
+using LongHarmlessTest = PlantTest;
+TEST_P(LongHarmlessTest, StopsNothing) {
+  Program program = run();
+  EXPECT_EQ(program.wait(), 0) << program.err();
 }
 
-const Plant plants[] = {
-    {"VgaTimingStopsInALine", "vga_timing", "h_pos_q <= h_pos_d;",
-     "h_pos_q <= v_pos_q == -10'sd200 && h_pos_q == 7 ? h_pos_q : h_pos_d;", "demo", "video"},
-    {"CameraUnitNeverRuns", "camera_unit", "Load: phase_d = Scale;",
-     "Load: if ($signed(y_i) < -10'sd250) phase_d = Scale;"},
-    {"SubdividerNeverEndsItsWalk", "subdivider", "if (idx_load_i) idx2_d = idx_start_i;",
-     "if (idx_load_i) idx2_d = idx_start_i;\n    else if (tracer_reset_i) idx2_d = idx2_q;"},
-    {"SubdividerNeverHits", "subdivider", "wire logic hit_now = accept && (wall_i || hurry);",
-     "wire logic hit_now = accept && (wall_i || hurry) && len_m1 > 10'd700;"},
-    {"SubdividerForgetsToOffer", "subdivider",
-     "wire logic emit = returning && !emit_done_q && !line_done_q;",
-     "wire logic emit = returning && !emit_done_q && !line_done_q && i1_q == '1;"},
-    {"StacksGiveAnotherPlace", "stacks", "top_tag_o = racebeam_pkg::TagPortBits'(tags_q[n]);",
-     "top_tag_o = racebeam_pkg::TagPortBits'({tags_q[n][6:3], 3'd5});"},
-    {"DecisionDatapathIsHalfWayForEver", "decision_datapath", "second_q <= second_d;",
-     "second_q <= second_d || second_q && !root;"},
-    {"DecisionDatapathDoesNotClimb", "decision_datapath", "level_q <= level_d;",
-     "if (!climb_i || root) level_q <= level_d;"},
-    {"DecisionDatapathMeetsNoWall", "decision_datapath", "wall_q <= wall_d;",
-     "wall_q <= 1'b0 & wall_d;"},
-    {"IntervalFifoTakesNothingOnceItWasFull", "interval_fifo",
-     "wire logic listen = ~eat_head & ~split & emit_i;",
-     "logic dead_q;\n  always_ff @(posedge clk_i) dead_q <= dead_q | full;\n"
-     "  wire logic listen = ~eat_head & ~split & emit_i & ~dead_q;"},
-    {"IntervalFifoAnswersNobody", "interval_fifo", "assign ack_o = merge | take;",
-     "assign ack_o = merge | take | 1'b1;"},
-    {"WriteBufferNeverTakesAgain", "write_buffer",
-     "assign put_ready_o = WhenFull == 1 || !full_q || take_ready_i;",
-     "assign put_ready_o = head_q == '0;", Voxel, "store"},
-    {"StoreArbiterRefuses", "store_arbiter",
-     "assign take_ready_o = ", "assign take_ready_o = 1'b0 && ", Voxel, "store"},
-    {"VoxelScanAsksForNoColour", "voxel_scan", "assign shade_o = ray_done_i && ",
-     "assign shade_o = ray_done_i && column_q < PlaceBits'(20) && ", Voxel, "voxel"},
-    {"BlockSchedulerDealsNothing", "block_scheduler",
-     "wire logic [Cores-1:0] ready = job_ready_i[Cores-1:0];",
-     "wire logic [Cores-1:0] ready = x_q == '0 ? job_ready_i[Cores-1:0] : '0;", Block, "block"},
-    {"BlockBusServesNobody", "block_bus", "wire logic [Cores-1:0] asks = word_valid_i[Cores-1:0];",
-     "wire logic [Cores-1:0] asks = later_q == '0 ? word_valid_i[Cores-1:0] : '0;", Block, "block"},
+const auto name_of = [](const testing::TestParamInfo<Plant>& plant) {
+  return std::string(plant.param.name) + "_" + plant.param.engine;
 };
-INSTANTIATE_TEST_SUITE_P(Plants, CliHangTest, testing::ValuesIn(plants),
-                         [](const auto& plant) { return plant.param.name; });
+INSTANTIATE_TEST_SUITE_P(Plants, CliHangTest, testing::ValuesIn(quick_plants()), name_of);
+INSTANTIATE_TEST_SUITE_P(LongPlants, LongCliHangTest, testing::ValuesIn(other_plants()), name_of);
+INSTANTIATE_TEST_SUITE_P(LongPlants, LongHarmlessTest, testing::ValuesIn(harmless_plants()),
+                         name_of);
+
+/// For the voxel tracer: a world whose columns the host sends for more than two frames.
+constexpr const char* Large = R"(
+name = "large"
+engine = "voxel"
+[terrain]
+function = "hills"
+size = [1024, 2048, 64]
+voxel = [16, 16, 16]
+[camera]
+position = [256, 0, 80]
+[picture]
+size = [64, 48]
+)";
 
 // RTL that is right, which may starve, restart and wait as it likes.
-void expect_no_alarm(const Words& more) {
+void expect_no_alarm(const Words& more, const char* scene = "demo",
+                     const char* unit = "interval_fifo") {
   const ScratchFolder folder;
-  Words words = {"render", "demo", "--use", "interval_fifo=rtl", "--crc", "--json", "-o", "out"};
+  std::ofstream(folder / "large.toml") << Large;
+  Words words = {"render", scene,    "--use", std::string(unit) + "=rtl",
+                 "--crc",  "--json", "-o",    "out"};
   words.insert(words.end(), more.begin(), more.end());
   Program run(folder.path(), words);
   EXPECT_EQ(run.wait(), 0) << run.err();
@@ -114,6 +135,9 @@ TEST(NoAlarm, InAChipThatHardlyEverEndsALine) {
 }
 TEST(NoAlarm, WithStallsMostOfTheTime) {
   expect_no_alarm({"--at", "7140", "--shake", "1,0.3,0.99"});
+}
+TEST(LongNoAlarm, WhileTheHostSendsALargeWorld) {
+  expect_no_alarm({"--frames", "1"}, "large.toml", "voxel_shade");
 }
 TEST(LongNoAlarm, In128FramesOfTheDemo) { expect_no_alarm({"--frames", "128", "--every", "99"}); }
 

@@ -75,10 +75,15 @@ INSTANTIATE_TEST_SUITE_P(LongNames, LongChannel,
                                          Channel{Block, "core_word"}, Channel{Block, "word"},
                                          Channel{Block, "take"}));
 
+// A restart after an overflow of the interval stack walks towards an entry that is not there any
+// more, as the chip does; if it has to wait, for a FIFO without room or a stall, so does the walk,
+// and ray directions are others. With 16 entries none of the frames here has a restart.
+constexpr const char *HeldBack = "clocks_per_pixel=8", *Deep = "interval_stack_depth=16";
+
 // 100 seeds x 12 frames: none has the lock effect.
 class LongFrame : public testing::TestWithParam<int> {};
 TEST_P(LongFrame, KeepsEveryColourUnderAHundredSeeds) {
-  const racebeam::Run run = run_of(Beam, {"clocks_per_pixel=8"});
+  const racebeam::Run run = run_of(Beam, {HeldBack, Deep});
   ShakeRun shaken(run, plan_of(run, "1"));
   ASSERT_EQ(shaken.objection(GetParam()), "");
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -116,6 +121,18 @@ TEST(ShakeRun, ABeamThatIsNotHeldBackStarvesAndShowsOtherColours) {
   const ShakenPicture got = shaken.shake(1, Tunnel);
   EXPECT_GT(got.starved, 0u);
   EXPECT_GT(got.pixels, 0u);
+}
+
+// That of frame 0 with seed 7.
+TEST(ShakeRun, ARestartThatWaitsMovesColours) {
+  const racebeam::Run run = run_of(Beam, {HeldBack});
+  const ShakenPicture got = ShakeRun(run, plan_of(run, "1")).shake(7, 0);
+  EXPECT_EQ(got.starved, 0u);
+  EXPECT_GT(got.pixels, 0u);
+}
+TEST(ShakeRun, WithoutRestartsNoColourMoves) {
+  const racebeam::Run run = run_of(Beam, {HeldBack, Deep});
+  EXPECT_EQ(ShakeRun(run, plan_of(run, "1")).shake(7, 0).pixels, 0u);
 }
 
 TEST(ShakeRun, AFrameWhoseColoursAreAFunctionOfTimeIsNotJudged) {
