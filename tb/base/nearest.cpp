@@ -18,7 +18,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       const std::size_t replaced = diagonal + (letter != b[j]);
       diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+      row[j + 1] = std::min(replaced, std::min(diagonal, row[j]) + 1);
     }
   }
   return row.back();
