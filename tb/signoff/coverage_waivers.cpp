@@ -102,10 +102,14 @@ std::vector<CoverageWaiver> load_coverage_waivers(const std::string& path) {
   throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
 }
 
-bool names_point(const std::string& wanted, const CoveragePoint& point) {
+bool names_point(const std::string& wanted, const CoveragePoint& point, int& number) {
   const std::string title = point.title();
   if (wanted == title) return true;
-  if (point.kind != CoveragePoint::Toggle) return false;
+  if (point.kind != CoveragePoint::Toggle) {
+    static const TextPattern Numbered("#([0-9]+) (.*)");
+    const TextPattern::Groups numbered = Numbered.match(wanted);
+    return !numbered.empty() && numbered[2] == title && ++number == std::atoi(numbered[1].c_str());
+  }
   if (title.rfind(wanted + "[", 0) == 0) return true;
   static const TextPattern Range("(.*)\\[([0-9]+):([0-9]+)\\]"), Bit("(.*)\\[([0-9]+)\\]");
   const TextPattern::Groups range = Range.match(wanted), bit = Bit.match(title);

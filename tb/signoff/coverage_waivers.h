@@ -39,7 +39,9 @@ std::vector<CoverageWaiver> load_coverage_waivers(const std::string& path);
 /// The path of the project's.
 std::string own_coverage_waivers();
 
-/// Whether `wanted`, one of CoverageWaiver::points, stands for the point.
-bool names_point(const std::string& wanted, const CoveragePoint& point);
+/// Whether `wanted`, one of CoverageWaiver::points, stands for the point. To be asked in the order
+/// of the source: `number`, 0 at first, counts the lines or branches that "#2 else: if (a)" could
+/// be.
+bool names_point(const std::string& wanted, const CoveragePoint& point, int& number);
 
 }  // namespace racebeam
