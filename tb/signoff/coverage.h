@@ -33,7 +33,7 @@ struct UnitCoverage {
   /// By cross of functional_crosses(), in order.
   std::vector<std::vector<std::uint64_t>> crosses;
   std::uint64_t clocks = 0;
-  RtlParameters parameters;  ///< for conditions of waivers and crosses
+  RtlParameters parameters;  ///< of all units, for conditions of waivers and crosses
 };
 
 /// Runs the unit in processes of its own. Throws RtlError, RtlFault, MissingTool, Interrupted.

@@ -12,6 +12,8 @@
 #include "sc/beam/pwm_sound.h"
 #include "sc/beam/sequencer.h"
 #include "sc/beam/timeline.h"
+#include "sc/block/block_core.h"
+#include "sc/block/block_scheduler.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_host_link.h"
@@ -22,6 +24,7 @@
 #include "sc/voxel/voxel_scan.h"
 #include "tb/twin/beam_twins.h"
 #include "tb/twin/block_twins.h"
+#include "tb/twin/block_walk.h"
 #include "tb/twin/frame_walks.h"
 #include "tb/twin/host_walk.h"
 #include "tb/twin/sphere_twins.h"
@@ -84,13 +87,16 @@ Twins sphere() {
 }
 
 Twins block() {
-  return {block_engine(),
-          [](const knob_values& k, const scene_tables*, bool traced) {
-            return block_plugins(k, traced);
-          },
-          [](const knob_values& k) { return block_inputs_of(k); },
-          no_top,
-          {through_a_frame()}};
+  return {
+      block_engine(),
+      [](const knob_values& k, const scene_tables*, bool traced) {
+        return block_plugins(k, traced);
+      },
+      [](const knob_values& k) { return block_inputs_of(k); },
+      no_top,
+      {{block_core::unit_name, "through whole blocks", BlockWalk::Clocks, begin_walk<BlockWalk>},
+       {block_scheduler::unit_name, "through pictures", DealWalk::Clocks, begin_walk<DealWalk>},
+       through_a_frame()}};
 }
 
 Twins voxel() {
