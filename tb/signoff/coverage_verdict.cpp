@@ -20,14 +20,14 @@ std::vector<bool> waived_points(const std::string& unit, const UnitCoverage& cov
   std::vector<bool> waived(coverage.points.size());
   for (const CoverageWaiver& waiver : waivers) {
     if (std::find(waiver.units.begin(), waiver.units.end(), unit) == waiver.units.end()) continue;
+    const std::string where = fmt::format(
+        "waiver of {}line {}", waiver.file.empty() ? "" : waiver.file + ", ", waiver.place.line);
     const auto fault = [&](const std::string& what, const std::string& help) {
-      faults.push_back(fmt::format("waiver of line {}: {}; {}", waiver.place.line, what, help));
+      faults.push_back(fmt::format("{}: {}; {}", where, what, help));
     };
     if (waiver.reason.empty()) fault("it has no reason", "say why its points cannot be hit");
     try {
-      if (!holds_with(coverage.parameters, waiver.when,
-                      fmt::format("waiver of line {}", waiver.place.line)))
-        continue;
+      if (!holds_with(coverage.parameters, waiver.when, where)) continue;
     } catch (const UsageError& error) {
       fault(error.what(), "correct its condition");
       continue;
