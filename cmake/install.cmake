@@ -38,7 +38,11 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}/tb/report
   COMPONENT program)
 install(
-  FILES tb/signoff/coverage_waivers.toml tb/signoff/waivers.toml
+  FILES tb/signoff/waivers.toml
+  DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
+  COMPONENT program)
+install(
+  DIRECTORY tb/signoff/coverage_waivers
   DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
   COMPONENT program)
 install(

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <sstream>
 
 #include "sc/base/fixed_point.h"
 #include "sc/swap/rtl_library.h"
@@ -24,7 +25,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* Recipe = "2";  ///< another one whenever the answer may be another
+constexpr const char* Recipe = "4";  ///< another one whenever the answer may be another
 constexpr const char* Dut = "dut";
 constexpr int Tries = 4096;
 
@@ -57,21 +58,22 @@ std::string wrapper_of(const RtlSources& sources, const RtlSyntax& syntax,
                      sources.top, parameters, Dut, pins);
 }
 
-/// "FILE:LINE" of "FILE:9.4-9.60|FILE:87.3-87.9": instances around it, then where it is declared.
-std::string place_of(const std::string& source) {
-  const std::string own = source.substr(source.rfind('|') + 1);  // npos + 1 is 0
-  return own.substr(0, own.find('.', own.rfind(':')));
+/// Each "FILE:LINE" of "FILE:9.4-9.60|FILE:87.3-87.9": where a signal is declared and, in any
+/// order, where the instances around it are.
+std::vector<std::string> places_of(const std::string& source) {
+  std::vector<std::string> places;
+  std::istringstream parts(source);
+  for (std::string one; std::getline(parts, one, '|');)
+    places.push_back(one.substr(0, one.find('.', one.rfind(':'))));
+  return places;
 }
 
-/// The last part of a name after flattening: of "dut.u_x.sp_q" "sp_q", of "dut.tags_q[3]"
+/// The last part of a name after flattening: of "dut.g_x[0].u_x.sp_q" "sp_q", of "dut.tags_q[3]"
 /// "tags_q[3]".
-std::string last_part(const std::string& name) {
-  const std::size_t bracket = std::min(name.find('['), name.size());
-  const std::size_t dot = name.rfind('.', bracket);
-  return dot == std::string::npos ? name : name.substr(dot + 1);
-}
+std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
-/// Bits that are "x" have lost their driver, which says nothing.
+/// Bits that are "x" have lost their driver, which says nothing. A signal counts at all its places:
+/// no other one of that name is declared where an instance is.
 std::vector<std::string> constants_in(const Json& netlist) {
   std::set<std::string> constant, moving;
   for (const auto& [module, contents] : netlist.at("modules").items())
@@ -79,15 +81,16 @@ std::vector<std::string> constants_in(const Json& netlist) {
       if (signal.value("hide_name", 0) != 0 || name.rfind(std::string(Dut) + ".", 0) != 0) continue;
       const Json& attributes = signal.at("attributes");
       if (!attributes.contains("src")) continue;
-      const std::string stem =
-          place_of(attributes.at("src").get<std::string>()) + " " + last_part(name);
       const Json& bits = signal.at("bits");
       const int offset = signal.value("offset", 0);
-      for (std::size_t n = 0; n < bits.size(); ++n)
-        for (const std::string& bit :
-             {stem + "[" + std::to_string(static_cast<int>(n) + offset) + "]",
-              bits.size() == 1 ? stem : std::string()})
-          if (!bit.empty()) (bits[n] == "0" || bits[n] == "1" ? constant : moving).insert(bit);
+      for (const std::string& place : places_of(attributes.at("src").get<std::string>())) {
+        const std::string stem = place + " " + last_part(name);
+        for (std::size_t n = 0; n < bits.size(); ++n) {
+          auto& bin = bits[n] == "0" || bits[n] == "1" ? constant : moving;
+          bin.insert(stem + "[" + std::to_string(static_cast<int>(n) + offset) + "]");
+          if (bits.size() == 1) bin.insert(stem);
+        }
+      }
     }
   std::vector<std::string> all;
   std::set_difference(constant.begin(), constant.end(), moving.begin(), moving.end(),

@@ -92,6 +92,8 @@ UnitCoverage measure_coverage(const UnitUnderTest& dut, const CoverageOptions& o
     add_run(dut, plugin, UnitDrive::Random, options.random, options.seed, coverage);
   coverage.constant.resize(coverage.points.size());
   find_constant(dut, sources, coverage);
+  for (const rtl_parameter& parameter : engine_of(dut.k).parameters(dut.k))
+    coverage.parameters[parameter.name] = parameter.value;
   for (const RtlSyntax::Parameter& parameter : read_rtl_syntax(sources).parameters)
     if (!parameter.value.empty()) coverage.parameters[parameter.name] = std::stoll(parameter.value);
   return coverage;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "tb/signoff/coverage_points.h"
 #include "tb/signoff/coverage_waivers.h"
 #include "tb/signoff/functional_points.h"
+#include "tb/signoff/parameter_condition.h"
 #include "tb/twin/unit_under_test.h"
 
 namespace racebeam {
@@ -33,7 +33,7 @@ struct UnitCoverage {
   /// By cross of functional_crosses(), in order.
   std::vector<std::vector<std::uint64_t>> crosses;
   std::uint64_t clocks = 0;
-  std::map<std::string, std::int64_t> parameters;  ///< of the RTL, for conditions of waivers
+  RtlParameters parameters;  ///< of all units, for conditions of waivers and crosses
 };
 
 /// Runs the unit in processes of its own. Throws RtlError, RtlFault, MissingTool, Interrupted.

@@ -68,6 +68,12 @@ std::string short_name(const std::string& file) {
   return inside.empty() || inside.rfind("..", 0) == 0 ? file : inside;
 }
 
+/// A bit that only goes up, in each of two instances or runs, has not moved up and down.
+void merge(CoveragePoint& to, const CoveragePoint& more) {
+  if (to.kind == CoveragePoint::Toggle) to.count = std::max(to.count, more.count);
+  else to.count += more.count;
+}
+
 }  // namespace
 
 std::vector<CoveragePoint> read_coverage(const std::string& path) {
@@ -105,7 +111,7 @@ std::vector<CoveragePoint> read_coverage(const std::string& path) {
             [](const auto& a, const auto& b) { return order(a) < order(b); });
   std::vector<CoveragePoint> all;
   for (CoveragePoint& point : points)
-    if (!all.empty() && order(all.back()) == order(point)) all.back().count += point.count;
+    if (!all.empty() && order(all.back()) == order(point)) merge(all.back(), point);
     else all.push_back(std::move(point));
   return all;
 }
@@ -113,7 +119,7 @@ std::vector<CoveragePoint> read_coverage(const std::string& path) {
 void add_coverage(std::vector<CoveragePoint>& to, const std::vector<CoveragePoint>& more) {
   if (to.empty()) to = more;
   else
-    for (std::size_t n = 0; n < to.size() && n < more.size(); ++n) to[n].count += more[n].count;
+    for (std::size_t n = 0; n < to.size() && n < more.size(); ++n) merge(to[n], more[n]);
 }
 
 }  // namespace racebeam

@@ -23,7 +23,7 @@ struct CoveragePoint {
   int line = 0, column = 0;
   /// "sp_q[2]" of a toggle; else "if", "else", "case", "block", and the text of the line.
   std::string name, text;
-  std::uint64_t count = 0;  ///< of a toggle: changes
+  std::uint64_t count = 0;  ///< of a toggle: changes, in the instance and the run with most
 
   /// A toggle needs two changes: up and down, or down and up.
   bool hit() const { return count > (kind == Toggle ? 1 : 0); }

@@ -13,23 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Whether a waiver's condition holds in this chip. Throws UsageError if it names what is no
-/// parameter.
-bool applies(const CoverageWaiver& waiver, const UnitCoverage& coverage) {
-  if (waiver.when.empty()) return true;
-  std::map<std::string, double> values;
-  for (const auto& [name, value] : coverage.parameters) values[name] = static_cast<double>(value);
-  Expression when(fmt::format("waiver of line {}", waiver.place.line), waiver.when,
-                  {"parameter", "value", "PortalsPerFace == 1",
-                   [&](const std::string& name) -> double* {
-                     const auto at = values.find(name);
-                     if (at == values.end()) throw UsageError("the RTL has no parameter " + name);
-                     return &at->second;
-                   },
-                   [](const std::string&) -> const std::vector<std::string>* { return nullptr; }});
-  return when.holds();
-}
-
 /// The points that the waivers stand for, and what is wrong with these.
 std::vector<bool> waived_points(const std::string& unit, const UnitCoverage& coverage,
                                 const std::vector<CoverageWaiver>& waivers,
@@ -37,22 +20,25 @@ std::vector<bool> waived_points(const std::string& unit, const UnitCoverage& cov
   std::vector<bool> waived(coverage.points.size());
   for (const CoverageWaiver& waiver : waivers) {
     if (std::find(waiver.units.begin(), waiver.units.end(), unit) == waiver.units.end()) continue;
+    const std::string where = fmt::format(
+        "waiver of {}line {}", waiver.file.empty() ? "" : waiver.file + ", ", waiver.place.line);
     const auto fault = [&](const std::string& what, const std::string& help) {
-      faults.push_back(fmt::format("waiver of line {}: {}; {}", waiver.place.line, what, help));
+      faults.push_back(fmt::format("{}: {}; {}", where, what, help));
     };
     if (waiver.reason.empty()) fault("it has no reason", "say why its points cannot be hit");
     try {
-      if (!applies(waiver, coverage)) continue;
+      if (!holds_with(coverage.parameters, waiver.when, where)) continue;
     } catch (const UsageError& error) {
       fault(error.what(), "correct its condition");
       continue;
     }
     for (const std::string& wanted : waiver.points) {
       bool found = false;
+      int number = 0;
       for (std::size_t n = 0; n < coverage.points.size(); ++n) {
         const CoveragePoint& point = coverage.points[n];
         if (point.kind != waiver.kind || point.module != waiver.module ||
-            !names_point(wanted, point))
+            !names_point(wanted, point, number))
           continue;
         found = true;
         waived[n] = true;
@@ -127,7 +113,13 @@ CheckResult judge_coverage(const std::string& unit, const UnitCoverage& coverage
   std::size_t hit = 0, possible = 0;
   Json rows = Json::array();
   for (std::size_t n = 0; n < crosses.size(); ++n) {
-    const CrossVerdict verdict = judge_cross(crosses[n], coverage.crosses.at(n));
+    CrossVerdict verdict;
+    try {
+      verdict = judge_cross(crosses[n], coverage.crosses.at(n), coverage.parameters);
+    } catch (const UsageError& error) {  // RTL of other parameters
+      result.faults.emplace_back(error.what());
+      continue;
+    }
     hit += verdict.hit;
     possible += verdict.possible;
     for (const std::string& name : verdict.missing) result.faults.push_back(name + " was not seen");

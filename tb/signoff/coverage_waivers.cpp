@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "tb/base/counted.h"
 #include "tb/base/errors.h"
@@ -70,6 +72,13 @@ CoverageWaiver read_waiver(const TomlNode& node, Faults& faults) {
   return waiver;
 }
 
+std::vector<CoverageWaiver> waivers_of(const std::string& file) {
+  WaiversResult result = read_coverage_waivers(whole_file(file));
+  if (result.faults.none()) return std::move(result.waivers);
+  std::fputs(result.faults.text(file).c_str(), stderr);
+  throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
+}
+
 }  // namespace
 
 WaiversResult read_coverage_waivers(std::string_view text) {
@@ -86,26 +95,36 @@ WaiversResult read_coverage_waivers(std::string_view text) {
   return result;
 }
 
-std::string own_coverage_waivers() {
-  return project_folder() + "/tb/signoff/coverage_waivers.toml";
-}
+std::string own_coverage_waivers() { return project_folder() + "/tb/signoff/coverage_waivers"; }
 
 std::vector<CoverageWaiver> load_coverage_waivers(const std::string& path) {
-  const std::string file = path.empty() ? own_coverage_waivers() : path;
-  if (!std::filesystem::exists(file)) {
+  namespace fs = std::filesystem;
+  const std::string from = path.empty() ? own_coverage_waivers() : path;
+  if (!fs::exists(from)) {
     if (!path.empty()) throw UsageError("there is no file of waivers " + path);
-    throw MissingTool("there is no " + file + ": install racebeam with its waivers");
+    throw MissingTool("there is no " + from + ": install racebeam with its waivers");
   }
-  WaiversResult result = read_coverage_waivers(whole_file(file));
-  if (result.faults.none()) return result.waivers;
-  std::fputs(result.faults.text(file).c_str(), stderr);
-  throw UsageError(counted(result.faults.count(), "fault") + " in " + file);
+  if (!fs::is_directory(from)) return waivers_of(from);
+  std::set<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(from))
+    if (entry.path().extension() == ".toml") files.insert(entry.path());
+  std::vector<CoverageWaiver> all;
+  for (const fs::path& file : files)
+    for (CoverageWaiver& waiver : waivers_of(file.string())) {
+      waiver.file = file.filename().string();
+      all.push_back(std::move(waiver));
+    }
+  return all;
 }
 
-bool names_point(const std::string& wanted, const CoveragePoint& point) {
+bool names_point(const std::string& wanted, const CoveragePoint& point, int& number) {
   const std::string title = point.title();
   if (wanted == title) return true;
-  if (point.kind != CoveragePoint::Toggle) return false;
+  if (point.kind != CoveragePoint::Toggle) {
+    static const TextPattern Numbered("#([0-9]+) (.*)");
+    const TextPattern::Groups numbered = Numbered.match(wanted);
+    return !numbered.empty() && numbered[2] == title && ++number == std::atoi(numbered[1].c_str());
+  }
   if (title.rfind(wanted + "[", 0) == 0) return true;
   static const TextPattern Range("(.*)\\[([0-9]+):([0-9]+)\\]"), Bit("(.*)\\[([0-9]+)\\]");
   const TextPattern::Groups range = Range.match(wanted), bit = Bit.match(title);

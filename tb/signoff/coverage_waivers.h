@@ -20,9 +20,11 @@ struct CoverageWaiver {
   /// CoveragePoint::title() of each; "sp_q[5:3]" stands for three bits, "room_o" for all that it
   /// has.
   std::vector<std::string> points;
-  std::string when;    ///< a condition over the RTL's parameters, or "": it holds for no other chip
+  /// A condition over parameters of the engine's RTL, or "": it holds for no other chip.
+  std::string when;
   std::string reason;  ///< why it cannot be hit, or need not
   Place place{};
+  std::string file = {};  ///< its name, where there are several
 };
 
 struct WaiversResult {
@@ -33,13 +35,16 @@ struct WaiversResult {
 /// Of a TOML text with tables [[waiver]]. A waiver without a reason is a fault.
 WaiversResult read_coverage_waivers(std::string_view text);
 
-/// Those of a file; "" stands for the project's, tb/signoff/coverage_waivers.toml. Throws
-/// UsageError after all faults are on stderr, MissingTool if the program was installed without.
+/// Those of a file, or of all in a folder; "" stands for the project's,
+/// tb/signoff/coverage_waivers. Throws UsageError after all faults are on stderr, MissingTool if
+/// the program was installed without.
 std::vector<CoverageWaiver> load_coverage_waivers(const std::string& path);
-/// The path of the project's.
+/// The project's folder.
 std::string own_coverage_waivers();
 
-/// Whether `wanted`, one of CoverageWaiver::points, stands for the point.
-bool names_point(const std::string& wanted, const CoveragePoint& point);
+/// Whether `wanted`, one of CoverageWaiver::points, stands for the point. To be asked in the order
+/// of the source: `number`, 0 at first, counts the lines or branches that "#2 else: if (a)" could
+/// be.
+bool names_point(const std::string& wanted, const CoveragePoint& point, int& number);
 
 }  // namespace racebeam

@@ -68,7 +68,7 @@ std::vector<FunctionalCross> raster_rows() {
         lines,
         {"speed", {{"0", "speed_i == 0"}, {"some", ""}}},
         axis_of_values("half", "half_q", {"0", "1"})},
-       {}},
+       {{{"*", "*", "*", "1"}, "a pixel is a clock", true, "ClocksPerPixel == 1"}}},
       {"vga_timing",
        "events",
        "rst_ni == 1",

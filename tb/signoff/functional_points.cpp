@@ -45,13 +45,14 @@ std::string FunctionalCross::point_name(std::size_t number) const {
   return text;
 }
 
-const ImpossibleCross* FunctionalCross::impossible_at(std::size_t number) const {
+const ImpossibleCross* FunctionalCross::impossible_at(std::size_t number,
+                                                      const RtlParameters& parameters) const {
   const std::vector<std::size_t> bins = bins_of(number);
   for (const ImpossibleCross& one : impossible) {
     bool all = true;
     for (std::size_t n = 0; n < axes.size(); ++n)
       all = all && names_bin(one.bins.at(n), axes[n].bins[bins[n]].name);
-    if (all) return &one;
+    if (all && holds_with(parameters, one.when, "cross " + name)) return &one;
   }
   return nullptr;
 }
@@ -71,7 +72,8 @@ FunctionalAxis axis_of_flag(const std::string& name, const std::string& when) {
 const std::vector<FunctionalCross>& all_functional_crosses() {
   static const std::vector<FunctionalCross> all = [] {
     std::vector<FunctionalCross> rows;
-    for (const auto& table : {beam_tracer_crosses(), beam_other_crosses(), other_crosses()})
+    for (const auto& table : {beam_tracer_crosses(), beam_other_crosses(), sphere_crosses(),
+                              block_crosses(), voxel_crosses(), store_crosses()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();
@@ -148,10 +150,11 @@ void CrossCounter::look() {
   ++counts_[point];
 }
 
-CrossVerdict judge_cross(const FunctionalCross& cross, const std::vector<std::uint64_t>& counts) {
+CrossVerdict judge_cross(const FunctionalCross& cross, const std::vector<std::uint64_t>& counts,
+                         const RtlParameters& parameters) {
   CrossVerdict verdict;
   for (std::size_t n = 0; n < counts.size(); ++n) {
-    const ImpossibleCross* const reason = cross.impossible_at(n);
+    const ImpossibleCross* const reason = cross.impossible_at(n, parameters);
     const std::string name = cross.unit + " " + cross.name + ": " + cross.point_name(n);
     if (reason && reason->never && counts[n] > 0)
       verdict.faults.push_back(name + " was seen, and is said to be impossible: " + reason->reason);

@@ -16,6 +16,7 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "tb/base/expression.h"
+#include "tb/signoff/parameter_condition.h"
 #include "tb/twin/unit_bench.h"
 
 namespace racebeam {
@@ -34,8 +35,9 @@ struct FunctionalAxis {
 struct ImpossibleCross {
   std::vector<std::string> bins;  ///< for each axis "left|right", or "*"
   std::string reason;
-  /// False: it need not be seen, but it may, with other knobs or with traffic that no chip makes.
+  /// False: it need not be seen, but it may, with traffic that no chip makes.
   bool never = true;
+  std::string when = {};  ///< over the RTL's parameters; "" always, else it holds only then
 };
 
 struct FunctionalCross {
@@ -47,8 +49,9 @@ struct FunctionalCross {
   std::size_t points() const;
   /// "state=left answer=wall stall=none": by number, the last axis counting fastest.
   std::string point_name(std::size_t number) const;
-  /// Why a point cannot be; nullptr: it can.
-  const ImpossibleCross* impossible_at(std::size_t number) const;
+  /// Why a point cannot be in RTL with these parameters; nullptr: it can. Throws UsageError of a
+  /// condition that names no parameter.
+  const ImpossibleCross* impossible_at(std::size_t number, const RtlParameters& parameters) const;
 
  private:
   std::vector<std::size_t> bins_of(std::size_t number) const;
@@ -96,6 +99,7 @@ struct CrossVerdict {
   std::size_t hit = 0, possible = 0;
   std::vector<std::string> missing, faults;
 };
-CrossVerdict judge_cross(const FunctionalCross& cross, const std::vector<std::uint64_t>& counts);
+CrossVerdict judge_cross(const FunctionalCross& cross, const std::vector<std::uint64_t>& counts,
+                         const RtlParameters& parameters);
 
 }  // namespace racebeam

@@ -21,8 +21,17 @@ LegalInputs block_inputs_of(const block_knobs& k) {
       return raw % blocks * BlockSide;
     };
   };
+  // Mostly a number that is not 0 when it is converted; any at times.
+  constexpr Raw Seldom = 8, LeastExponent = 104, Exponents = 32, Exponent = 0xff;
+  constexpr int Mantissa = 23;
+  const auto mostly_kept = [](Raw raw) {
+    if (raw % Seldom == 0) return raw;
+    const Raw exponent = LeastExponent + (raw >> Mantissa & Exponent) % Exponents;
+    return (raw & ~(Exponent << Mantissa)) | exponent << Mantissa;
+  };
   const auto always = [](int value) { return [value](Raw) { return static_cast<Raw>(value); }; };
   return LegalInputs({
+      {"float_i", mostly_kept},
       {"job_x_i", blocks_of(k.columns())},
       {"job_y_i", blocks_of(k.rows())},
       {"width_i", always(k.columns())},

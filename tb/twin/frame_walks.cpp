@@ -20,11 +20,15 @@ void FramesWalk::next() {
   ++clock_;
 }
 
-// The speed of most frames on the screen, the highest, or any.
+// The speed of most frames on the screen, the highest, or any; the two lines of the sync are too
+// few for that.
 void FrameWalk::next() {
   constexpr int LongestSpeed = 6000, Speeds = 8;
   bench_["rst_ni"].drive(begun_);
   begun_ = true;
+  const std::uint64_t line = bench_["y_o"].value();
+  if (line == LastLine - 1) return bench_["speed_i"].drive(0);
+  if (line == LastLine) return bench_["speed_i"].drive(Speeds - 1);
   if (left_-- > 0) return;
   left_ = below(LongestSpeed);
   switch (below(3)) {

@@ -35,7 +35,7 @@ TracerWalk::TracerWalk(UnitBench& bench, const knob_values& k, unsigned seed)
 
 void TracerWalk::next() {
   if (!begun_) return begin_picture();
-  if (!drawn_) return go_through_picture();
+  if (drawn_ < Pictures) return go_through_pictures();
   if (left_-- == 0) begin_episode();
   for (UnitBench::Pin* pin : flags_) pin->drive(!one_in(4));
   for (UnitBench::Pin* pin : numbers_)
@@ -51,15 +51,19 @@ void TracerWalk::begin_picture() {
   begun_ = true;
 }
 
-// The first line has 512 columns; the second one changes to 320 behind those, so that it goes on
-// until the column is 0 again. Pixels of the first and the last column have several rays.
-void TracerWalk::go_through_picture() {
+// Two pictures. The first line of one has 512 columns; the second one changes to 320 behind those,
+// so that it goes on until the column is 0 again. The other one is narrow but in the last row of a
+// narrow picture, so that this does not end it, and in its own last one. Pixels of the first and
+// the last column have several rays.
+void TracerWalk::go_through_pictures() {
+  constexpr std::uint64_t LastNarrowRow = 239, LastRow = 479;
   const std::uint64_t x = bench_["x_o"].value(), y = bench_["y_o"].value();
   bench_["rst_ni"].drive(1);
   narrow_ = narrow_ || (y == 1 && x > 400);
-  bench_["narrow_i"].drive(narrow_);
+  const bool wide = drawn_ == 0 ? !narrow_ : y == LastNarrowRow || y == LastRow;
+  bench_["narrow_i"].drive(!wide);
   bench_["alias_i"].drive(x == 0 || x == 319 ? y & 3 : 0);
-  drawn_ = bench_["picture_done_o"].value();
+  if (bench_["picture_done_o"].value()) ++drawn_;
 }
 
 // Every other one has planes and few spheres before them.

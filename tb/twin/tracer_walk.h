@@ -1,8 +1,8 @@
-// TracerWalk: sphere_tracer to the end of a small picture, and with operands that meet.
+// TracerWalk: sphere_tracer to the end of two pictures, and with operands that meet.
 //
 // Random traffic draws no picture to its end: that takes hundreds of thousands of clocks without a
 // reset. Nor are two of its operands of 24 bits ever equal, which is where a comparison tells
-// whether it is `<` or `<=`. Here the tracer first goes through a picture of black pixels, six
+// whether it is `<` or `<=`. Here the tracer first goes through pictures of black pixels, six
 // clocks each; then all numbers come from one that is drawn anew now and then, and what it waits
 // for comes soon.
 //
@@ -21,7 +21,8 @@ namespace racebeam {
 
 class TracerWalk {
  public:
-  static constexpr std::uint64_t Clocks = 800'000;  ///< a little more than half for the picture
+  static constexpr int Pictures = 2;
+  static constexpr std::uint64_t Clocks = 1'725'000;  ///< all but 340,000 for the pictures
 
   /// For sphere_tracer on `bench`; the same seed makes the same traffic.
   TracerWalk(UnitBench& bench, const knob_values& k, unsigned seed);
@@ -31,7 +32,7 @@ class TracerWalk {
 
  private:
   void begin_picture();
-  void go_through_picture();
+  void go_through_pictures();
   void begin_episode();
   std::uint64_t number(int bits);
   bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
@@ -40,7 +41,8 @@ class TracerWalk {
   const int min_weight_;
   std::mt19937 random_;
   std::vector<UnitBench::Pin*> flags_, modes_, numbers_;
-  bool begun_ = false, narrow_ = false, drawn_ = false;
+  bool begun_ = false, narrow_ = false;
+  int drawn_ = 0;            // pictures
   int left_ = 0;             // clocks of the episode
   std::uint64_t value_ = 0;  // of its numbers
 };

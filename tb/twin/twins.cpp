@@ -12,18 +12,26 @@
 #include "sc/beam/pwm_sound.h"
 #include "sc/beam/sequencer.h"
 #include "sc/beam/timeline.h"
+#include "sc/block/block_core.h"
+#include "sc/block/block_scheduler.h"
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
+#include "sc/sphere/sphere_host_link.h"
 #include "sc/sphere/sphere_tracer.h"
 #include "sc/video/vga_timing.h"
 #include "sc/voxel/engine.h"
+#include "sc/voxel/voxel_builder.h"
+#include "sc/voxel/voxel_scan.h"
 #include "tb/twin/beam_twins.h"
 #include "tb/twin/block_twins.h"
+#include "tb/twin/block_walk.h"
 #include "tb/twin/frame_walks.h"
+#include "tb/twin/host_walk.h"
 #include "tb/twin/sphere_twins.h"
 #include "tb/twin/tracer_walk.h"
 #include "tb/twin/tune_walk.h"
 #include "tb/twin/voxel_twins.h"
+#include "tb/twin/voxel_walks.h"
 
 namespace racebeam {
 
@@ -32,6 +40,11 @@ namespace {
 template <class Walk>
 std::function<void()> begin_walk(UnitBench& bench, const knob_values& k, unsigned seed) {
   return [walk = std::make_shared<Walk>(bench, k, seed)] { walk->next(); };
+}
+
+// All engines have the same raster.
+UnitWalk through_a_frame() {
+  return {vga_timing::unit_name, "through a frame", FrameWalk::Clocks, begin_walk<FrameWalk>};
 }
 
 Twins beam() {
@@ -46,7 +59,7 @@ Twins beam() {
           {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>},
            {sequencer::unit_name, "through all frames", FramesWalk::Clocks, begin_walk<FramesWalk>},
            {timeline::unit_name, "through many frames", FramesWalk::Clocks, begin_walk<FramesWalk>},
-           {vga_timing::unit_name, "through a frame", FrameWalk::Clocks, begin_walk<FrameWalk>}},
+           through_a_frame()},
           true,
           {sequencer::unit_name, timeline::unit_name, navigator::unit_name}};
 }
@@ -66,28 +79,38 @@ Twins sphere() {
           },
           [](const knob_values& k) { return sphere_inputs_of(k); },
           no_top,
-          {{sphere_tracer::unit_name, "to the end of a picture", TracerWalk::Clocks,
-            begin_walk<TracerWalk>}}};
+          {{sphere_tracer::unit_name, "to the end of two pictures", TracerWalk::Clocks,
+            begin_walk<TracerWalk>},
+           {sphere_host_link::unit_name, "until no CPU is there", HostWalk::Clocks,
+            begin_walk<HostWalk>},
+           through_a_frame()}};
 }
 
 Twins block() {
-  return {block_engine(),
-          [](const knob_values& k, const scene_tables*, bool traced) {
-            return block_plugins(k, traced);
-          },
-          [](const knob_values& k) { return block_inputs_of(k); },
-          no_top,
-          {}};
+  return {
+      block_engine(),
+      [](const knob_values& k, const scene_tables*, bool traced) {
+        return block_plugins(k, traced);
+      },
+      [](const knob_values& k) { return block_inputs_of(k); },
+      no_top,
+      {{block_core::unit_name, "through whole blocks", BlockWalk::Clocks, begin_walk<BlockWalk>},
+       {block_scheduler::unit_name, "through pictures", DealWalk::Clocks, begin_walk<DealWalk>},
+       through_a_frame()}};
 }
 
 Twins voxel() {
-  return {voxel_engine(),
-          [](const knob_values& k, const scene_tables*, bool traced) {
-            return voxel_plugins(k, traced);
-          },
-          [](const knob_values& k) { return voxel_inputs_of(k); },
-          no_top,
-          {}};
+  return {
+      voxel_engine(),
+      [](const knob_values& k, const scene_tables*, bool traced) {
+        return voxel_plugins(k, traced);
+      },
+      [](const knob_values& k) { return voxel_inputs_of(k); },
+      no_top,
+      {{voxel_builder::unit_name, "through the world", BuildWalk::Clocks, begin_walk<BuildWalk>},
+       {voxel_scan::unit_name, "to the end of a picture", PictureWalk::Clocks,
+        begin_walk<PictureWalk>},
+       through_a_frame()}};
 }
 
 }  // namespace

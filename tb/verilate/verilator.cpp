@@ -137,7 +137,9 @@ std::string write_rtl_classes(const RtlSources& sources, const std::string& work
                                     "--top-module", sources.top,  "--prefix",
                                     "Vrtl",         "--Mdir",     work};
   if (sources.signals && !sources.marked_only) words.emplace_back("--public-flat-rw");
-  if (sources.coverage) words.insert(words.end(), {"--coverage-line", "--coverage-toggle"});
+  // Split blocks count a branch by what its condition is worth behind it.
+  if (sources.coverage)
+    words.insert(words.end(), {"--coverage-line", "--coverage-toggle", "-fno-split"});
   if (split) words.insert(words.end(), {"--output-split", "20000", "--output-split-cfuncs", "500"});
   return run_verilator(sources, words, tick);
 }

@@ -81,6 +81,31 @@ TEST(CoverageVerdict, AWaiverOfWhatIsNotThereIsAFault) {
                           "out"));
 }
 
+TEST(CoverageVerdict, AWaiverMayNameOneOfSeveralThatAreCalledAlike) {
+  UnitCoverage coverage = counted();
+  coverage.points.push_back(point(CoveragePoint::Branch, "else", 3));
+  coverage.constant.resize(coverage.points.size());
+  const auto branch = [](const std::string& name) {
+    return waiver(CoveragePoint::Branch, {name + "else: if (a) b <= c;"});
+  };
+  EXPECT_THAT(judged({Bit2, branch("#1 ")}, coverage).faults, IsEmpty());
+  EXPECT_THAT(judged({Bit2, branch("")}, coverage).faults, ElementsAre(HasSubstr("is hit")));
+  EXPECT_THAT(judged({Bit2, branch("#2 ")}, coverage).faults, Contains(HasSubstr("is hit")));
+  EXPECT_THAT(judged({Bit2, branch("#3 ")}, coverage).faults, Contains(HasSubstr("has no branch")));
+}
+
+TEST(CoverageVerdict, ABitThatGoesUpInEachOfTwoRunsHasNotMoved) {
+  std::vector<CoveragePoint> points = {point(CoveragePoint::Toggle, "q[0]", 1),
+                                       point(CoveragePoint::Line, "block", 1)};
+  add_coverage(points,
+               {point(CoveragePoint::Toggle, "q[0]", 1), point(CoveragePoint::Line, "block", 0)});
+  EXPECT_FALSE(points[0].hit());
+  EXPECT_TRUE(points[1].hit());
+  add_coverage(points,
+               {point(CoveragePoint::Toggle, "q[0]", 2), point(CoveragePoint::Line, "block", 0)});
+  EXPECT_TRUE(points[0].hit());
+}
+
 TEST(CoverageVerdict, AWaiverWithoutAReasonIsAFault) {
   CoverageWaiver mute = Bit2;
   mute.reason.clear();

@@ -18,6 +18,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 FunctionalCross fifo_cross() {
   return {"interval_fifo",
@@ -34,12 +35,12 @@ TEST(FunctionalCross, PointsCountTheLastAxisFastest) {
   EXPECT_EQ(cross.point_name(0), "emit=yes fill=one");
   EXPECT_EQ(cross.point_name(1), "emit=yes fill=more");
   EXPECT_EQ(cross.point_name(2), "emit=no fill=one");
-  EXPECT_TRUE(cross.impossible_at(1));
-  EXPECT_FALSE(cross.impossible_at(3));
+  EXPECT_TRUE(cross.impossible_at(1, {}));
+  EXPECT_FALSE(cross.impossible_at(3, {}));
 }
 
 TEST(FunctionalCross, WhatWasNotSeenIsNamed) {
-  const CrossVerdict verdict = judge_cross(fifo_cross(), {3, 0, 0, 5});
+  const CrossVerdict verdict = judge_cross(fifo_cross(), {3, 0, 0, 5}, {});
   EXPECT_EQ(verdict.hit, 2u);
   EXPECT_EQ(verdict.possible, 3u);
   EXPECT_THAT(verdict.missing, ElementsAre("interval_fifo example: emit=no fill=one"));
@@ -47,15 +48,24 @@ TEST(FunctionalCross, WhatWasNotSeenIsNamed) {
 }
 
 TEST(FunctionalCross, TheImpossibleSeenIsAFault) {
-  EXPECT_THAT(judge_cross(fifo_cross(), {3, 1, 1, 5}).faults,
+  EXPECT_THAT(judge_cross(fifo_cross(), {3, 1, 1, 5}, {}).faults,
               ElementsAre(HasSubstr("emit=yes fill=more was seen")));
 }
 
 TEST(FunctionalCross, WhatNeedNotBeSeenMayBe) {
   FunctionalCross cross = fifo_cross();
   cross.impossible.front().never = false;
-  EXPECT_TRUE(judge_cross(cross, {3, 1, 1, 5}).faults.empty());
-  EXPECT_EQ(judge_cross(cross, {3, 0, 1, 5}).possible, 3u);
+  EXPECT_TRUE(judge_cross(cross, {3, 1, 1, 5}, {}).faults.empty());
+  EXPECT_EQ(judge_cross(cross, {3, 0, 1, 5}, {}).possible, 3u);
+}
+
+TEST(FunctionalCross, TheImpossibleOfOtherParametersCanBe) {
+  FunctionalCross cross = fifo_cross();
+  cross.impossible.front().when = "FifoEntries == 9";
+  EXPECT_EQ(judge_cross(cross, {3, 0, 1, 5}, {{"FifoEntries", 9}}).possible, 3u);
+  EXPECT_EQ(judge_cross(cross, {3, 0, 1, 5}, {{"FifoEntries", 4}}).possible, 4u);
+  EXPECT_THAT(judge_cross(cross, {3, 1, 1, 5}, {{"FifoEntries", 4}}).faults, IsEmpty());
+  EXPECT_THROW(judge_cross(cross, {3, 0, 1, 5}, {}), UsageError);
 }
 
 class FunctionalCounter : public testing::Test {

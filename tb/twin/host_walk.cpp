@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/twin/host_walk.h"
+
+#include "sc/base/fixed_point.h"
+
+namespace racebeam {
+
+// What a CPU sends when nobody listens, and takes back, is no word. The scene changes with
+// pictures. After the last one it is reset, and waits anew.
+void HostWalk::next() {
+  constexpr std::uint64_t LastReset = Clocks - 100;
+  bench_["rst_ni"].drive(clock_ > 0 && clock_ != LastReset);
+  const bool waits = !one_in(8);
+  bench_["host_i"].drive(waits);
+  bench_["valid_i"].drive((!waits || clock_ > Silence) && one_in(4));
+  if (bench_["loaded_o"].value()) bench_["scene_i"].drive(one_in(2));
+  for (UnitBench::Pin* pin : bench_.pins())
+    if (pin->input && pin->bits > 1) pin->drive(raw_bits(random_(), pin->bits));
+  ++clock_;
+}
+
+}  // namespace racebeam
