@@ -14,10 +14,22 @@ constexpr int FirstColumn = -960;  // x2 where a line begins
 }  // namespace
 
 void TuneWalk::next() {
-  if (clock_ % SampleClocks == 0) next_step(clock_ / SampleClocks);
-  bench_["rst_ni"].drive(clock_ > 0);
-  bench_["x2_i"].drive((FirstColumn + clock_ % LineClocks) & low_bits(bench_["x2_i"].bits));
-  ++clock_;
+  const int clock = clock_++;
+  if (clock >= static_cast<int>(TuneClocks))
+    return count_phase(clock - static_cast<int>(TuneClocks));
+  if (clock % SampleClocks == 0) next_step(clock / SampleClocks);
+  bench_["rst_ni"].drive(clock > 0);
+  drive_x2(FirstColumn + clock % LineClocks);
+}
+
+void TuneWalk::drive_x2(int x2) { bench_["x2_i"].drive(x2 & low_bits(bench_["x2_i"].bits)); }
+
+// From a reset on it stays where the low half is counted, until that wraps, then where each clock
+// adds the carry to the high half.
+void TuneWalk::count_phase(int clock) {
+  constexpr int EndOfSample = -192, LowHalf = 1024;
+  bench_["rst_ni"].drive(clock > 0);
+  drive_x2(clock <= LowHalf ? EndOfSample : EndOfSample + 1);
 }
 
 // The edges of a step are where notes begin, fade and end.

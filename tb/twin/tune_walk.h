@@ -1,7 +1,9 @@
 // TuneWalk: pwm_sound through its whole tune.
 //
 // What sounds is a function of the frame, and random traffic sees few of the 1,600 steps. Here each
-// step of the tune plays for one sample: its first, its last, or any other.
+// step of the tune plays for one sample: its first, its last, or any other. Nor does it hear so
+// many samples that the high half of their number moves; at the end here they are counted in each
+// clock.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -21,7 +23,8 @@ class TuneWalk {
   static constexpr int SampleClocks = 800;
   static constexpr int Steps = tune::Measures * tune::MeasureSteps;
   /// The last sample is heard while the next one is made.
-  static constexpr std::uint64_t Clocks = static_cast<std::uint64_t>(Steps + 1) * SampleClocks;
+  static constexpr std::uint64_t TuneClocks = static_cast<std::uint64_t>(Steps + 1) * SampleClocks;
+  static constexpr std::uint64_t Clocks = TuneClocks + 2'000;
 
   /// For pwm_sound on `bench`; the same seed makes the same traffic.
   TuneWalk(UnitBench& bench, const knob_values&, unsigned seed) : bench_(bench), random_(seed) {}
@@ -31,6 +34,8 @@ class TuneWalk {
 
  private:
   void next_step(int step);
+  void count_phase(int clock);
+  void drive_x2(int x2);
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
 
   UnitBench& bench_;

@@ -11,6 +11,7 @@
 #include "sc/beam/navigator.h"
 #include "sc/beam/pwm_sound.h"
 #include "sc/beam/sequencer.h"
+#include "sc/beam/subdivider.h"
 #include "sc/beam/timeline.h"
 #include "sc/block/block_core.h"
 #include "sc/block/block_scheduler.h"
@@ -28,6 +29,7 @@
 #include "tb/twin/frame_walks.h"
 #include "tb/twin/host_walk.h"
 #include "tb/twin/sphere_twins.h"
+#include "tb/twin/subdivider_walk.h"
 #include "tb/twin/tracer_walk.h"
 #include "tb/twin/tune_walk.h"
 #include "tb/twin/voxel_twins.h"
@@ -59,6 +61,8 @@ Twins beam() {
           {{pwm_sound::unit_name, "through its tune", TuneWalk::Clocks, begin_walk<TuneWalk>},
            {sequencer::unit_name, "through all frames", FramesWalk::Clocks, begin_walk<FramesWalk>},
            {timeline::unit_name, "through many frames", FramesWalk::Clocks, begin_walk<FramesWalk>},
+           {subdivider::unit_name, "through full stacks", SubdividerWalk::Clocks,
+            begin_walk<SubdividerWalk>},
            through_a_frame()},
           true,
           {sequencer::unit_name, timeline::unit_name, navigator::unit_name}};
