@@ -144,8 +144,8 @@ std::string compile_key() {
 }
 
 std::string coverage_key() {
-  return content_key(
-      {"coverage unsplit", file_key(swap_file(CoverageGlue)), file_key(swap_file("rtl_coverage.h"))});
+  return content_key({"coverage unsplit", file_key(swap_file(CoverageGlue)),
+                      file_key(swap_file("rtl_coverage.h"))});
 }
 
 void compile_plugin(const WorkFolder& work, const std::string& facts, const std::string& texts,
