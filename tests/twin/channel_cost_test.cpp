@@ -102,8 +102,7 @@ TEST_P(OffCost, OfStallsAndDelaysIsNothing) {
   }
 }
 
-// An interval tracer's chip without its units: what is left in `off` and is no port or wire of the
-// chip's own tables would be seen here.
+// Nor has it a process that only looks whether they are asked for.
 TEST_P(OffCost, AChipHasNoProcessOfItsOwnButTheLogicThatItsHeaderNames) {
   const std::map<std::string, Parts> own = {
       {"beam", {}},
