@@ -38,6 +38,7 @@ void TracerWalk::next() {
   if (drawn_ < Pictures) return go_through_pictures();
   if (left_-- == 0) begin_episode();
   for (UnitBench::Pin* pin : flags_) pin->drive(!one_in(4));
+  if (mirrors_) return bench_["is_light_i"].drive(0);
   for (UnitBench::Pin* pin : numbers_)
     if (!one_in(3)) pin->drive(number(pin->bits));
 }
@@ -66,11 +67,13 @@ void TracerWalk::go_through_pictures() {
   if (bench_["picture_done_o"].value()) ++drawn_;
 }
 
-// Every other one has planes and few spheres before them.
+// Of those that have no mirrors every other one has planes and few spheres before them.
 void TracerWalk::begin_episode() {
   left_ = 1 + static_cast<int>(random_() % Episode);
   for (UnitBench::Pin* pin : modes_)
     pin->drive(raw_bits(random_() >> (one_in(2) ? 30 : 0), pin->bits));
+  mirrors_ = one_in(4);
+  if (mirrors_) return begin_mirrors();
   if (one_in(2)) {
     bench_["planes_i"].drive(1);
     bench_["plane_empty_i"].drive(0);
@@ -81,6 +84,16 @@ void TracerWalk::begin_episode() {
                                    static_cast<std::uint64_t>(min_weight_), any,
                                    any >> random_() % SphereBits};
   value_ = numbers[one_in(2) ? 0 : random_() % std::size(numbers)];
+}
+
+// All rays meet a sphere without a size, which is a mirror, so that there are three reflections.
+void TracerWalk::begin_mirrors() {
+  left_ = 2 * Episode;
+  for (const auto* pins : {&modes_, &numbers_})
+    for (UnitBench::Pin* pin : *pins) pin->drive(0);
+  for (const char* one : {"sum_i", "square_i"}) bench_[one].drive(1);
+  for (const char* most : {"max_reflections_i", "weight_i"})
+    bench_[most].drive(low_bits(bench_[most].bits));
 }
 
 // That of the episode, or beside it, negative, a sixteenth, or 0; sums have it where it becomes a

@@ -34,6 +34,7 @@ class TracerWalk {
   void begin_picture();
   void go_through_pictures();
   void begin_episode();
+  void begin_mirrors();
   std::uint64_t number(int bits);
   bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
 
@@ -41,7 +42,7 @@ class TracerWalk {
   const int min_weight_;
   std::mt19937 random_;
   std::vector<UnitBench::Pin*> flags_, modes_, numbers_;
-  bool begun_ = false, narrow_ = false;
+  bool begun_ = false, narrow_ = false, mirrors_ = false;
   int drawn_ = 0;            // pictures
   int left_ = 0;             // clocks of the episode
   std::uint64_t value_ = 0;  // of its numbers
