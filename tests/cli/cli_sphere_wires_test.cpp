@@ -115,7 +115,9 @@ TEST_F(LongCliSphereWiresTest, VerifyFindsNothingInTwentyPictures) {
   const auto json = Json::parse(run.out());
   for (const auto& unit : json["units"].elements()) {
     EXPECT_EQ(unit["differences"], 0) << unit["unit"].dump();
-    EXPECT_GE(unit["clocks"], 100000);
+    if (unit["traffic"] != "walk") {
+      EXPECT_GE(unit["clocks"], 100000);
+    }
     chip += unit["traffic"] == "chip";
   }
   EXPECT_EQ(chip, 14u);
