@@ -29,10 +29,12 @@ struct ThreeBehindEachFace {
   static constexpr int Depth = 30;
 
   static int across(int face) { return (face / 2 + 1) % 3; }
+  /// In the first clocks the unit may ask for any room.
+  static bool is_behind_a_face(int room) { return room < 60 && room % 10 < 3; }
   vec3 half_size(int room) const {
     vec3 half{HubHalf, HubHalf, HubHalf};
     if (room == Hub) return half;
-    if (room >= 60) return {};
+    if (!is_behind_a_face(room)) return {};
     const Span& s = spans[room % 10];
     half[room / 10 / 2] = Depth;
     half[across(room / 10)] = (s.high - s.low) / 2;
@@ -41,7 +43,7 @@ struct ThreeBehindEachFace {
   vec3 position(int room) const {
     vec3 centre = HubCentre;
     if (room == Hub) return centre;
-    if (room >= 60) return {};
+    if (!is_behind_a_face(room)) return {};
     const Span& s = spans[room % 10];
     const int face = room / 10;
     centre[face / 2] += (face % 2 ? -1 : 1) * (HubHalf + Depth);
@@ -52,7 +54,7 @@ struct ThreeBehindEachFace {
     const int face = 2 * axis + negative;
     if (room == Hub)
       return portal < static_cast<int>(order.size()) ? 10 * face + order[portal] : SolidRoom;
-    return portal == 0 && room < 60 && face == (room / 10 ^ 1) ? Hub : SolidRoom;
+    return portal == 0 && is_behind_a_face(room) && face == (room / 10 ^ 1) ? Hub : SolidRoom;
   }
 };
 
