@@ -35,11 +35,14 @@ constexpr std::uint32_t voxel_inverse(int direction) {
       std::min<std::uint64_t>((std::uint64_t{1} << 36) / size, 0xffffffffu));
 }
 
+/// A whole coordinate as a position.
+constexpr int voxel_position(int whole) { return whole * (1 << VoxelPositionFraction); }
+
 /// t of the border at the whole coordinate `border` of an axis.
 constexpr std::int64_t voxel_border_t(int border, int origin, int direction,
                                       std::uint32_t inverse) {
   if (voxel_parallel(direction)) return VoxelNever;
-  std::int64_t delta = (std::int64_t{border} << VoxelPositionFraction) - origin;
+  std::int64_t delta = voxel_position(border) - origin;
   if (direction < 0) delta = -delta;
   // |delta| < 2^25, so the product holds in 64 bits.
   const std::int64_t t = (delta * static_cast<std::int64_t>(inverse)) >> VoxelInverseFraction;

@@ -64,7 +64,7 @@ class Walk {
     vec3 p = point(hit_t_);
     if (k_.leaf == VoxelLeafMarch) return p;
     for (int axis = 0; axis < 2; ++axis) {
-      const int low = voxel_[axis] << VoxelPositionFraction;
+      const int low = voxel_position(voxel_[axis]);
       p[axis] = std::clamp(p[axis], low, low + low_bits(VoxelPositionFraction));
     }
     return p;
@@ -74,7 +74,7 @@ class Walk {
   bool enter() {
     level_ = levels_.count() - 1;
     const int top = levels_.size()[2];
-    const bool above = ray_.origin[2] >= top << VoxelPositionFraction;
+    const bool above = ray_.origin[2] >= voxel_position(top);
     if (above && !down(2)) return false;
     t_ = above ? border(2, top) : 0;
     const vec3 at = point(t_);
@@ -100,7 +100,7 @@ class Walk {
     --level_;
     for (int axis = 0; axis < 3; ++axis) {
       const int middle = (2 * voxel_[axis] + 1) * levels_.side(level_, axis);
-      bool far = ray_.origin[axis] >= middle << VoxelPositionFraction;
+      bool far = ray_.origin[axis] >= voxel_position(middle);
       if (!voxel_parallel(ray_.direction[axis])) {
         const std::int64_t at = border(axis, middle);
         far = down(axis) ? at > t_ : at <= t_;

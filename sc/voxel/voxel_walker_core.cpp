@@ -20,7 +20,7 @@ std::uint32_t voxel_walker_core::border_t(int axis, int at, const inputs& in) co
 
 std::uint32_t voxel_walker_core::entry(const inputs& in) const {
   const int top = levels.size()[2];
-  return origin_q[2] >= top << VoxelPositionFraction ? border_t(2, top, in) : 0;
+  return origin_q[2] >= voxel_position(top) ? border_t(2, top, in) : 0;
 }
 
 voxel_walker_core::border voxel_walker_core::leave(const inputs& in) const {
@@ -58,7 +58,7 @@ bool voxel_walker_core::occupied(const inputs& in, const voxel_knobs& k) const {
 voxel_walker_core::outputs voxel_walker_core::comb(const inputs& in, const voxel_knobs& k) const {
   outputs o{};
   const bool enters = state_q == VoxelSetup && step_q == SetupClocks - 1;
-  const bool above = origin_q[2] >= levels.size()[2] << VoxelPositionFraction;
+  const bool above = origin_q[2] >= voxel_position(levels.size()[2]);
   o.setup = state_q == VoxelSetup && step_q == 1;
   o.voxel = voxel_q;
   o.level = level_q;
@@ -81,7 +81,7 @@ voxel_walker_core::outputs voxel_walker_core::comb(const inputs& in, const voxel
     o.ray_done = o.t_out > t_q;
     o.kind = VoxelHit;
     for (int axis = 0; axis < 2; ++axis) {
-      const int low = voxel_q[axis] * (1 << VoxelPositionFraction);
+      const int low = voxel_position(voxel_q[axis]);
       o.hit[axis] =
           wrap_signed(std::clamp(in.position[axis], low, low + low_bits(VoxelPositionFraction)),
                       VoxelPositionBits);
@@ -114,7 +114,7 @@ void voxel_walker_core::take_ray(const inputs& in) {
 }
 
 void voxel_walker_core::enter(const inputs& in, const outputs& o, const voxel_knobs& k) {
-  const bool above = origin_q[2] >= levels.size()[2] << VoxelPositionFraction;
+  const bool above = origin_q[2] >= voxel_position(levels.size()[2]);
   t_q = o.t;
   level_q = levels.count() - 1;
   for (int axis = 0; axis < 3; ++axis)
@@ -129,7 +129,7 @@ void voxel_walker_core::descend(const inputs& in) {
   --level_q;
   for (int axis = 0; axis < 3; ++axis) {
     const int middle = (2 * voxel_q[axis] + 1) * levels.side(level_q, axis);
-    bool far = origin_q[axis] >= middle * (1 << VoxelPositionFraction);
+    bool far = origin_q[axis] >= voxel_position(middle);
     if (!voxel_parallel(direction_q[axis])) {
       const std::uint32_t at = border_t(axis, middle, in);
       far = down(axis) ? at > t_q : at <= t_q;

@@ -29,7 +29,8 @@ void SphereCpu::run() {
   for (;; ++pictures_) {
     while (!read(SphereHostDone)) {
     }
-    send(motion_.table());
+    table_ = motion_.table();
+    send();
     motion_.picture(static_cast<int>(read(SphereHostRotz)));
     while (read(SphereHostDone)) {
     }
@@ -37,11 +38,11 @@ void SphereCpu::run() {
 }
 
 // Each entry by an edge of `valid`; the last one is the light, which the tracer knows.
-void SphereCpu::send(const std::vector<sphere_row>& table) {
-  const int number = static_cast<int>(table.size());
+void SphereCpu::send() {
+  const int number = static_cast<int>(table_.size());
   if (number == 0) write(SphereHostSphere, 0);
   for (int n = 0; n < number; ++n) {
-    const sphere_row& s = table[static_cast<std::size_t>(n)];
+    const sphere_row& s = table_[static_cast<std::size_t>(n)];
     write(SphereHostSphere, number << 4 | n);
     write(SphereHostColor, s.color_word());
     write(SphereHostX1, s.centre[0]);

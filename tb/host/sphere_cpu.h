@@ -44,10 +44,11 @@ class SphereCpu : public sc_core::sc_module {
   void run();
   void write(std::uint64_t address, int value);
   std::uint32_t read(std::uint64_t address);
-  void send(const std::vector<sphere_row>& table);
+  void send();
 
   SphereWires& wires_;
   SphereMotion motion_;
+  std::vector<sphere_row> table_;  // that is being sent: a process may be ended in the middle
   std::function<sc_core::sc_time()> pause_;
   int pictures_ = 0;
 };
