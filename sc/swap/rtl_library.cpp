@@ -23,6 +23,14 @@ namespace {
 
 using Maker = std::function<rtl_model*()>;
 
+// Verilator's run time keeps some names for as long as it is loaded, which LeakSanitizer knows only
+// while it is.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int Loading = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
+#else
+constexpr int Loading = RTLD_NOW | RTLD_LOCAL;
+#endif
+
 std::map<std::string, Maker>& built_in() {
   static std::map<std::string, Maker> all;
   return all;
@@ -31,7 +39,7 @@ std::map<std::string, Maker>& built_in() {
 std::shared_ptr<void> load(const std::string& path) {
   if (built_in().count(path)) return nullptr;
   // A name without a slash would be looked for in the system's folders.
-  void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = dlopen(fs::absolute(path).c_str(), Loading);
   if (library) return {library, dlclose};
   if (!fs::exists(path))
     throw RtlError("there is no plug-in " + path + "; make one with `racebeam verilate`");

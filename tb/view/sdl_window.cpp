@@ -10,6 +10,10 @@
 #include <cstdlib>
 #include <set>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 #include "sc/base/constants.h"
 #include "tb/base/errors.h"
 #include "tb/view/window_library.h"
@@ -39,6 +43,9 @@ class SdlWindow : public LibraryWindow {
  public:
   SdlWindow(int scale, int sound_rate, void (*tell)(std::string_view))
       : tell_(tell), sound_rate_(sound_rate), wish_(scale) {
+#ifdef __SANITIZE_ADDRESS__
+    __lsan_disable();  // of a program with a window: what SDL's libraries keep is theirs
+#endif
     SDL_SetMainReady();
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
