@@ -18,7 +18,7 @@ namespace racebeam {
 class BuildWalk {
  public:
   /// More than 300,000 for the world, then small rectangles all over it.
-  static constexpr std::uint64_t Clocks = 420'000;
+  static constexpr std::uint64_t World = 340'000, Clocks = World + 80'000;
 
   /// For voxel_builder on `bench`; the same seed makes the same traffic.
   BuildWalk(UnitBench& bench, const knob_values& k, unsigned seed);
