@@ -148,14 +148,17 @@ TEST_F(CliRtlEndsTest, StopErrorAndExceptionsAreToldApart) {
 
 // What has left the heap locked or broken may say no more than that.
 TEST_F(CliRtlEndsTest, HangsAndCrashesInsideTheHeapAreTold) {
-  const std::vector<Fault> faults = {
+  std::vector<Fault> faults = {
       {"",
        "while (clocks_q == 500) $c(\"static void* volatile p; p = malloc(5000); free(p);\");",
-       {"the RTL of stacks", "does not return from clock 500"}},
+       {"the RTL of stacks", "does not return from clock 500"}}};
+#ifndef __SANITIZE_ADDRESS__  // which tells of the broken heap itself, and ends the program
+  faults.push_back(
       {"",
        "$c(\"volatile char* p = (char*)malloc(64); for (int i = -64; i < 9999; ++i) p[i] = 7; "
        "free((void*)p);\");",
-       {"the RTL of stacks", "crashed in clock 500"}}};
+       {"the RTL of stacks", "crashed in clock 500"}});
+#endif
   for (const Fault& fault : faults) {
     write(faulty_stacks(fault.statement));
     for (const Words& words :
