@@ -93,7 +93,8 @@ void OutputFile::write(const void* data, std::size_t size) {
   errno = 0;
   if (!stream_) stream_ = open_file(temporary_);
   if (!stream_) throw OutputError(path_, errno, "cannot open");
-  if (std::fwrite(data, 1, size, stream_) != size) throw OutputError(path_, errno, "short write");
+  if (size > 0 && std::fwrite(data, 1, size, stream_) != size)
+    throw OutputError(path_, errno, "short write");
 }
 
 void OutputFile::finish(std::uintmax_t at_least) {

@@ -83,8 +83,10 @@ std::vector<ChipSignal> chip_signals(const WiredBench& bench) {
   return all;
 }
 
+constexpr int MostStateBits = 16;  // so that its states can be counted
+
 const std::vector<std::string>* state_words(const ChipSignal& signal) {
-  if (signal.is_port()) return nullptr;
+  if (signal.is_port() || signal.bits > MostStateBits) return nullptr;
   std::string path = signal.path();
   if (const auto rtl = path.find(".rtl."); rtl != std::string::npos) path.erase(rtl, 4);
   for (const engine* one : engines())
