@@ -146,7 +146,8 @@ PortTraffic read_traffic(const std::string& path) {
   if (bytes.size() != end + 1 + count * sizeof(std::uint64_t))
     throw std::runtime_error(path + " is not whole");
   traffic.values.resize(count);
-  std::memcpy(traffic.values.data(), bytes.data() + end + 1, count * sizeof(std::uint64_t));
+  if (count > 0)
+    std::memcpy(traffic.values.data(), bytes.data() + end + 1, count * sizeof(std::uint64_t));
   return traffic;
 }
 
