@@ -26,7 +26,7 @@ class wired_chip : public sc_core::sc_module {
 
   /// What the bench has at the chip's pins.
   struct pins {
-    sc_core::sc_clock& clk;
+    sc_core::sc_signal_in_if<bool>& clk;  ///< of which the rising edges count
     wire<1>& rst_n;
     wire<8>& uo;  ///< {hsync, B0, G0, R0, vsync, B1, G1, R1}
     wire<1>& pwm;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "tb/base/simulate.h"
 #include "tb/bench/benches.h"
 #include "tb/bench/hang_watch.h"
+#include "tb/bench/rising_clock.h"
 #include "tb/monitor/pin_probe.h"
 #include "tb/twin/engine_raster.h"
 #include "tb/twin/lockstep_report.h"
@@ -60,7 +62,7 @@ struct WiredBench::Platform {
   const Watches watches;
   const sc_core::sc_time period;
   const Raster raster;
-  sc_core::sc_clock clk;
+  rising_clock clk;
   wire<1> rst_n{"rst_n"}, pwm{"pwm"};
   wire<8> uo{"uo"};
   wire<1> hsync_n{"hsync_n"}, vsync_n{"vsync_n"};
@@ -106,7 +108,7 @@ struct WiredBench::Platform {
         watches(w),
         period(clock_period_ps(s.built.video(s.k).clocks_per_pixel), sc_core::SC_PS),
         raster(raster_of(s.built, s.k)),
-        clk("clk", period, 0.5, period),
+        clk("clk", period),
         dut(s.built.make_signal("chip", s.k, s.scene, s.units)),
         stalls(channel_stalls::of(*dut)),
         vga(
@@ -320,6 +322,15 @@ std::vector<const Lockstep*> WiredBench::locksteps() const {
   std::vector<const Lockstep*> all;
   for (const auto& lockstep : platform_->locksteps) all.push_back(lockstep.get());
   return all;
+}
+
+std::uint64_t WiredBench::invert(const std::string& unit, const std::string& port, int bit) {
+  for (const auto& lockstep : platform_->locksteps)
+    if (lockstep->unit() == unit) {
+      lockstep->invert(port, bit, lockstep->clocks());
+      return lockstep->clocks();
+    }
+  throw std::invalid_argument(unit + " does not run in lockstep");
 }
 
 int WiredBench::period_ps() const {

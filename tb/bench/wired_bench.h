@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "sc/base/engine.h"
@@ -70,6 +71,9 @@ class WiredBench : public ChipBench {
   std::uint64_t clocks() const override;
   const SoundMonitor* sound() const override;
   std::vector<const Lockstep*> locksteps() const override;
+  /// Test of the comparison itself: what Lockstep::invert() does, in the next clock, to a unit that
+  /// runs in lockstep; the number of that clock.
+  std::uint64_t invert(const std::string& unit, const std::string& port, int bit);
 
  private:
   struct Platform;
