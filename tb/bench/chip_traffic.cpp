@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/bench/chip_traffic.h"
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -17,6 +18,17 @@ namespace racebeam {
 namespace {
 
 constexpr int UnknownFrame = -1;
+constexpr std::uint64_t Batch = 100'000;  // clocks, then it looks
+
+/// Traffic that stays in memory.
+struct KeptTraffic : TrafficSink {
+  PortTraffic traffic;
+
+  void add(const std::uint64_t* row, bool) override {
+    traffic.values.insert(traffic.values.end(), row, row + traffic.ports.size());
+  }
+  void mark(std::int64_t) override {}
+};
 
 using OpenSinks =
     std::function<TrafficSink&(std::size_t unit, const std::vector<PortTraffic::Port>& ports)>;
@@ -28,8 +40,11 @@ class EarlyTaps {
   EarlyTaps(const WiredBench::Setting& setting, const std::vector<std::string>& units,
             OpenSinks open)
       : open_(std::move(open)) {
-    for (const std::string& unit : units)
-      taps_.push_back({unit, std::string("chip.") + setting.built.unit(unit)->path(), nullptr, {}});
+    for (const std::string& unit : units) {
+      const bool whole = unit == setting.built.top;
+      taps_.push_back(
+          {unit, whole ? "chip" : "chip." + setting.built.unit(unit)->path(), nullptr, {}});
+    }
     const sc_core::sc_time first(clock_period_ps(setting.built.video(setting.k).clocks_per_pixel),
                                  sc_core::SC_PS);
     sc_core::sc_spawn_options process;
@@ -87,6 +102,24 @@ class EarlyTaps {
 };
 
 }  // namespace
+
+PortTraffic traffic_from_power_up(const WiredBench::Setting& setting, const std::string& unit,
+                                  std::uint64_t clocks) {
+  KeptTraffic kept;
+  EarlyTaps taps(setting, {unit},
+                 [&](std::size_t, const std::vector<PortTraffic::Port>& ports) -> TrafficSink& {
+                   kept.traffic = {unit, ports, {}};
+                   return kept;
+                 });
+  WiredBench::Watches watches;
+  watches.each_edge = [&](const wired_chip&) { taps.edge(); };
+  WiredBench bench(setting, watches);
+  while (kept.traffic.clocks() < clocks) {
+    bench.advance(static_cast<int>(std::min<std::uint64_t>(Batch, clocks - kept.traffic.clocks())));
+    taps.check();
+  }
+  return kept.traffic;
+}
 
 void record_chip_traffic(const WiredBench::Setting& setting, const std::string& unit,
                          const std::vector<int>& frames, const OpenSink& open,

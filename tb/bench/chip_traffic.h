@@ -30,4 +30,9 @@ void record_chip_traffic(
     const std::function<TrafficSink&(std::size_t, const std::vector<PortTraffic::Port>&)>& open,
     const std::function<void(int frames, std::uint64_t clocks)>& done);
 
+/// The first `clocks` clocks of a unit or of engine::top in the chip of models, from power-up on:
+/// one in reset, then those of frame 0 and what follows. Throws Interrupted.
+PortTraffic traffic_from_power_up(const WiredBench::Setting& setting, const std::string& unit,
+                                  std::uint64_t clocks);
+
 }  // namespace racebeam

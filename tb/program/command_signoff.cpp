@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <optional>
 #include <thread>
 
@@ -15,17 +14,14 @@
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
 #include "tb/base/interrupt.h"
-#include "tb/base/nearest.h"
 #include "tb/base/output_file.h"
 #include "tb/base/progress.h"
 #include "tb/program/common_options.h"
+#include "tb/program/signoff_asked.h"
 #include "tb/scene/engines.h"
 #include "tb/show/run.h"
 #include "tb/signoff/signoff_report.h"
 #include "tb/signoff/signoff_unit.h"
-#include "tb/twin/twins.h"
-#include "tb/twin/use_option.h"
-#include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/run_tool.h"
 
 namespace racebeam {
@@ -43,65 +39,6 @@ struct Options : RunOptions {
   std::string waivers{}, junit{}, page{}, command{};
   bool json = false;
 };
-
-/// What the user asks for, in the order of the table.
-std::vector<const SignoffCheck*> chosen_checks(const std::vector<std::string>& only) {
-  std::vector<std::string> known;
-  for (const SignoffCheck& check : signoff_checks()) known.emplace_back(check.name);
-  for (const std::string& word : only)
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      throw unknown_name("check", word, known);
-  std::vector<const SignoffCheck*> chosen;
-  for (const SignoffCheck& check : signoff_checks())
-    if (only.empty() || std::find(only.begin(), only.end(), check.name) != only.end())
-      chosen.push_back(&check);
-  return chosen;
-}
-
-struct Asked {
-  std::string unit, file;  ///< file: empty for the unit's own RTL
-};
-
-std::vector<Asked> asked_units(const std::vector<std::string>& words, const Run& run) {
-  std::vector<Asked> all;
-  const std::vector<std::string> known = run.show.engine().unit_names(run.show.tables() != nullptr);
-  for (const std::string& word : words.empty() ? std::vector<std::string>{AllUnits} : words) {
-    const auto equals = word.find('=');
-    const std::string unit = word.substr(0, equals);
-    if (word == AllUnits) {
-      for (const std::string& each : known) all.push_back({each, ""});
-      continue;
-    }
-    if (std::find(known.begin(), known.end(), unit) == known.end()) {
-      if (unit == run.show.engine().top)
-        throw UsageError(unit +
-                         " is the whole chip, which has no traffic of its own; sign off all");
-      UseOption(run.show.engine(), run.k, run.show.tables()).check_unit(unit);
-    }
-    const std::string file = equals == std::string::npos ? "" : word.substr(equals + 1);
-    if (equals != std::string::npos && file.empty())
-      throw UsageError("'" + word + "' is not of the form UNIT or UNIT=FILE.sv");
-    if (std::filesystem::path(file).extension() == ".so")
-      throw UsageError(word +
-                       ": a plug-in has no text that mistakes could be put into; give its "
-                       "source, " +
-                       unit + "=FILE.sv");
-    if (!file.empty() && std::filesystem::path(file).extension().empty() &&
-        !std::filesystem::exists(file))
-      throw UsageError("there is no file " + file);
-    all.push_back({unit, file});
-  }
-  return all;
-}
-
-SignoffUnit unit_of(const Asked& asked, const Run& run) {
-  const PluginMaker maker = twins_of(run.show.engine()).plugins(run.k, run.show.tables(), false);
-  SignoffUnit unit{{asked.unit, "", run.k, run.show.tables(), run.show.frames()}, {}, asked.file};
-  unit.sources =
-      asked.file.empty() ? maker.own_rtl(asked.unit) : maker.users_rtl(asked.unit, asked.file);
-  unit.dut.plugin = rtl_plugin(unit.sources);
-  return unit;
-}
 
 CheckResult undecided(const std::string& unit, const SignoffCheck& check, const std::string& why) {
   CheckResult result;
@@ -143,16 +80,16 @@ CheckResult run_check(const SignoffCheck& check, const SignoffUnit& unit,
 }
 
 SignoffReport sign_off(const Options& options, const Run& run,
-                       const std::vector<const SignoffCheck*>& checks,
-                       const std::vector<Asked>& asked) {
+                       const std::vector<AskedUnit>& asked) {
   SignoffReport report{options.scene, run.show.engine().name, options.command, {}, true};
-  const auto all = static_cast<std::int64_t>(asked.size() * checks.size());
+  std::int64_t all = 0;
+  for (const AskedUnit& one : asked) all += static_cast<std::int64_t>(one.checks.size());
   Progress progress(all, "checks");
   SignoffOptions signoff = options.signoff;
   try {
-    for (const Asked& one : asked) {
+    for (const AskedUnit& one : asked) {
       std::optional<SignoffUnit> unit;
-      for (const SignoffCheck* check : checks) {
+      for (const SignoffCheck* check : one.checks) {
         if (interrupted()) throw Interrupted();
         signoff.progress = [&](const std::string& note) {
           progress.draw(static_cast<std::int64_t>(report.results.size()), 0,
@@ -189,9 +126,8 @@ int exit_code(const SignoffReport& report) {
 }
 
 int run_signoff(Options& options) {
-  const std::vector<const SignoffCheck*> checks = chosen_checks(options.only);
   const Run run = open_run(options, true);
-  const std::vector<Asked> asked = asked_units(options.units, run);
+  const std::vector<AskedUnit> asked = asked_units(options.units, options.only, run);
   options.signoff.waivers =
       read_waivers(options.waivers.empty() ? own_waivers_file() : options.waivers);
   for (const Waiver& waiver : options.signoff.waivers)
@@ -202,7 +138,7 @@ int run_signoff(Options& options) {
     if (!file.empty()) const OutputFile tried(file);  // it is written after an hour
   make_folder(options.signoff.folder);
   catch_interrupts();
-  const SignoffReport report = sign_off(options, run, checks, asked);
+  const SignoffReport report = sign_off(options, run, asked);
   write_text(options.page.empty() ? options.signoff.folder + "/signoff.html" : options.page,
              signoff_page(report));
   if (!options.junit.empty()) write_text(options.junit, signoff_junit(report));

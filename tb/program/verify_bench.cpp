@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <sstream>
 
@@ -15,7 +14,7 @@
 #include "tb/scene/engines.h"
 #include "tb/show/set_knob.h"
 #include "tb/twin/bare_rtl.h"
-#include "tb/twin/contract_registers.h"
+#include "tb/twin/power_up.h"
 #include "tb/twin/stream_player.h"
 #include "tb/twin/verilog_bench.h"
 
@@ -80,18 +79,10 @@ std::vector<bool> unknown_values(const std::string& plugin, const PortTraffic& t
 /// The registers of the unit itself that its contract leaves without reset, from zeros.
 std::vector<VerilogBench::Deposit> deposits_of(const std::string& plugin,
                                                const PortTraffic& traffic) {
-  BareRtl rtl(plugin, traffic);
-  rtl.drive(traffic.row(0), 1);
   std::vector<VerilogBench::Deposit> all;
-  const rtl_model& model = rtl.model();
-  for (const Unreset& row : contract_registers(traffic.unit))
-    for (int n = 0; n < model.signal_count; ++n) {
-      const rtl_port& signal = model.signals[n];
-      if (signal.name != std::string(row.name)) continue;
-      std::uint64_t value = 0;  // the machine's bytes begin with the lowest
-      std::memcpy(&value, signal.data, static_cast<std::size_t>(signal.bytes));
-      all.push_back({row.name, value, signal.bits});
-    }
+  for (const OpenRegister& open : open_registers(plugin, traffic))
+    if (open.name.find_first_of(".[") == std::string::npos)
+      all.push_back({open.name, open.value, open.bits});
   return all;
 }
 

@@ -11,11 +11,13 @@
 
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
+#include "tb/bench/wired_bench.h"
 #include "tb/scene/engines.h"
+#include "tb/signoff/from_reset.h"
 #include "tb/signoff/unit_drive.h"
 #include "tb/twin/bare_rtl.h"
 #include "tb/twin/port_traffic.h"
-#include "tb/twin/unit_traffic.h"
+#include "tb/twin/traffic_tap.h"
 
 namespace racebeam {
 
@@ -67,11 +69,34 @@ Found try_lockstep(const UnitUnderTest& dut, const std::string& plugin,
                   });
 }
 
+/// The same of a whole chip.
+Found try_chip(const UnitUnderTest& dut, const std::string& plugin,
+               const ComparatorOptions& options) {
+  WiredBench::Setting setting{engine_of(dut.k), dut.k, dut.scene, dut.frames};
+  setting.units.by_unit[dut.unit] = {unit_choice::Model, true, plugin};
+  WiredBench bench(setting);
+  bench.advance(static_cast<int>(options.warm_up));
+  const Lockstep& lockstep = *bench.locksteps().at(0);
+  if (lockstep.first())
+    throw RtlError("model and RTL differ by themselves, at " + lockstep.first()->port);
+  std::vector<ComparedPort> outputs;
+  for (const PortTraffic::Port& port : traffic_ports(bench.dut()))
+    if (!port.input) outputs.push_back({port.name, port.bits});
+  return found_by(outputs, [&](const std::string& port, int bit, std::uint64_t& clock) {
+    clock = bench.invert(dut.unit, port, bit);
+    bench.advance(2);
+    ComparatorAnswer answer;
+    if (const auto& first = lockstep.first())
+      answer = {first->port, first->clock, first->expected, first->got};
+    return answer;
+  });
+}
+
 /// The comparison of recorded traffic.
 Found try_bare(const UnitUnderTest& dut, const std::string& plugin,
                const ComparatorOptions& options) {
   std::uint64_t now = options.warm_up;
-  PortTraffic traffic = record_from_reset(dut, now + MostBits, options.seed);
+  PortTraffic traffic = traffic_from_reset(dut, now + MostBits, options.seed);
   BareRtl rtl(plugin, traffic);
   const auto differs = [](const PortTraffic& of, const TrafficDifference& at) {
     return RtlError("model and RTL differ by themselves, at " + of.ports[at.port].name);
@@ -143,9 +168,10 @@ CheckResult sign_off_comparator(const UnitUnderTest& dut, const ComparatorOption
   result.unit = dut.unit;
   result.check = "comparator";
   try {
+    const bool whole = is_whole_chip(dut);
     const std::string plugin =
         dut.plugin.empty()
-            ? twins_of(engine_of(dut.k)).plugins(dut.k, dut.scene, false).own(dut.unit)
+            ? twins_of(engine_of(dut.k)).plugins(dut.k, dut.scene, false).own(dut.unit, whole)
             : dut.plugin;
     std::size_t bits = 0, missed = 0;
     const auto add = [&](const char* comparison, const Found& found) {
@@ -155,7 +181,7 @@ CheckResult sign_off_comparator(const UnitUnderTest& dut, const ComparatorOption
         result.faults.push_back(std::string(comparison) + ": " + fault);
       result.detail[comparison] = {{"bits", found.bits}, {"missed", found.faults.size()}};
     };
-    add("lockstep", tried([&] { return try_lockstep(dut, plugin, options); }));
+    add("lockstep", tried([&] { return (whole ? try_chip : try_lockstep)(dut, plugin, options); }));
     add("recorded traffic", tried([&] { return try_bare(dut, plugin, options); }));
     if (bits == 0) result.faults.push_back("no output of " + dut.unit + " is compared");
     result.verdict = result.faults.empty() ? CheckResult::Good : CheckResult::Bad;

@@ -98,16 +98,57 @@ std::string row_bits(const PortTraffic& traffic, std::uint64_t clock) {
   return bits.empty() ? "0" : bits;
 }
 
-/// `known`: "idx2_q" of the unit, or the last instance of a path, "u_lane", which names its module.
+constexpr int AfterReset = 2;  // when the first clock has risen and fallen
+
+bool is_instance(const std::string& name) { return name.rfind("u_", 0) == 0; }
+
+/// The module whose register a path names, and the register: "u_lane.sum_q" is of a lane, "idx2_q"
+/// of the unit itself.
+struct RegisterPath {
+  std::string module, name;
+
+  RegisterPath(std::string path, const std::string& unit) : module(unit) {
+    const auto dot = path.rfind('.');
+    name = path.substr(dot + 1);
+    if (dot == std::string::npos) return;
+    path.erase(dot);
+    const std::string instance = stem_of(path.substr(path.rfind('.') + 1));
+    if (is_instance(instance)) module = instance.substr(2);
+  }
+};
+
+/// `known`: as a path, or an instance that names its module.
 bool is_known(const NetRegister& one, const std::string& unit, const std::string& known) {
-  const std::string last = known.substr(known.rfind('.') + 1);
-  if (last.rfind("u_", 0) == 0) return one.module == last.substr(2);
-  return one.module == unit && one.stem == known;
+  const RegisterPath path(known, unit);
+  if (is_instance(path.name)) return one.module == path.name.substr(2);
+  return one.module == path.module && one.stem == path.name;
+}
+
+/// What a register is given after the clock in reset; empty: nothing. Of one that yosys has split
+/// each part, "\\pwm_q[9:0]", gets its bits.
+std::string opened(const NetRegister& one, const std::string& unit,
+                   const std::vector<OpenRegister>& open) {
+  static const TextPattern Part("\\[([0-9]+)(:([0-9]+))?\\]$");
+  const std::string declared = one.declared.substr(one.declared[0] == '\\' ? 1 : 0);
+  const auto give = [&](std::uint64_t value) {
+    return fmt::format(" #{} {} = 64'd{};", AfterReset, one.declared, value);
+  };
+  for (const OpenRegister& wanted : open) {
+    const RegisterPath path(wanted.name, unit);
+    if (one.module != path.module) continue;
+    if (declared == path.name) return give(wanted.value);
+    const TextPattern::Groups part = Part.search(declared);
+    if (one.stem != path.name || part.empty()) continue;
+    const int high = std::stoi(part[1]), low = part[3].empty() ? high : std::stoi(part[3]);
+    return give(wanted.value >> low & ((std::uint64_t{2} << (high - low)) - 1));
+  }
+  return "";
 }
 
 /// The netlist with those registers 0 at power-up.
 std::string with_zeros(const std::string& netlist, const std::vector<NetRegister>& registers,
-                       const std::string& unit, const std::vector<std::string>& known) {
+                       const std::string& unit, const std::vector<std::string>& known,
+                       const std::vector<OpenRegister>& open) {
   std::string text;
   std::istringstream lines(netlist);
   auto next = registers.begin();
@@ -118,7 +159,8 @@ std::string with_zeros(const std::string& netlist, const std::vector<NetRegister
     if (std::none_of(known.begin(), known.end(),
                      [&](const std::string& name) { return is_known(one, unit, name); }))
       continue;
-    if (one.elements == 0) text += "  initial " + one.declared + " = 0;\n";
+    if (one.elements == 0)
+      text += fmt::format("  initial begin {} = 0;{} end\n", one.declared, opened(one, unit, open));
     for (int n = 0; n < one.elements; ++n)
       text += fmt::format("  initial {} [{}] = 0;\n", one.declared, n);
   }
@@ -187,7 +229,8 @@ std::vector<std::string> unknown_registers(const std::string& vcd,
 }  // namespace
 
 FourStateFindings run_in_four_states(const std::string& plugin, const PortTraffic& traffic,
-                                     const std::vector<std::string>& known) {
+                                     const std::vector<std::string>& known,
+                                     const std::vector<OpenRegister>& open) {
   for (const char* tool : {"yosys", "iverilog"})
     if (!has_tool(tool))
       throw MissingTool(std::string(tool) + " is not installed; install the package `" + tool +
@@ -197,7 +240,7 @@ FourStateFindings run_in_four_states(const std::string& plugin, const PortTraffi
   make_netlist(work, rtl.model());
   const std::string netlist = read_text(work.file("netlist.v"));
   const auto registers = registers_of(netlist);
-  work.write("netlist.v", with_zeros(netlist, registers, traffic.unit, known));
+  work.write("netlist.v", with_zeros(netlist, registers, traffic.unit, known, open));
   work.write("bench.v", bench_text(traffic, has_rtl_port(rtl.model(), "clk_i")));
   std::string rows;
   for (std::uint64_t clock = 0; clock < traffic.clocks(); ++clock)

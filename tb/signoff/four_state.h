@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tb/twin/port_traffic.h"
+#include "tb/twin/power_up.h"
 
 namespace racebeam {
 
@@ -26,9 +27,11 @@ struct FourStateFindings {
 };
 
 /// The RTL of `plugin` as words, with its parameters. `known`: registers that are 0 at power-up,
-/// or instances "u_MODULE", whose registers all are.
+/// as paths "u_MODULE.name", or instances "u_MODULE", whose registers all are. `open`: those of
+/// them that have a value of their own after the clock in reset.
 /// Throws MissingTool, RtlError with what yosys or Icarus says.
 FourStateFindings run_in_four_states(const std::string& plugin, const PortTraffic& traffic,
-                                     const std::vector<std::string>& known);
+                                     const std::vector<std::string>& known,
+                                     const std::vector<OpenRegister>& open);
 
 }  // namespace racebeam

@@ -12,9 +12,9 @@
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
 #include "tb/scene/engines.h"
+#include "tb/signoff/from_reset.h"
 #include "tb/twin/bare_rtl.h"
 #include "tb/twin/twins.h"
-#include "tb/twin/unit_traffic.h"
 #include "tb/verilate/gate_timing.h"
 
 namespace racebeam {
@@ -64,7 +64,7 @@ class GatesCheck {
   CheckResult run_all() {
     const auto start = std::chrono::steady_clock::now();
     try {
-      if (dut_.unit != engine_of(dut_.k).top) compare();
+      compare();
       for (const std::string& kind : options_.kinds)
         if (kind == Osu018Gates) measure();
     } catch (const MissingTool& error) {
@@ -89,7 +89,7 @@ class GatesCheck {
   GateWord word(const std::string& kind) const { return {kind, options_.file}; }
 
   void compare() {
-    const PortTraffic traffic = record_from_reset(dut_, options_.clocks, options_.seed);
+    const PortTraffic traffic = traffic_from_reset(dut_, options_.clocks, options_.seed);
     result_.detail["clocks"] = traffic.clocks();
     for (const std::string& kind : options_.kinds) compare(kind, traffic);
   }

@@ -15,18 +15,17 @@
 namespace racebeam {
 
 struct GatesOptions {
-  std::uint64_t clocks = 20'000;  ///< of random traffic, at least 2
+  std::uint64_t clocks = 20'000;  ///< of traffic_from_reset(), at least 2
   unsigned seed = 1;
   std::vector<std::string> kinds = gate_kinds();
   std::string file = {};   ///< RTL that becomes the gates; empty: the unit's own
   double least_slack = 0;  ///< nanoseconds at 50.4 MHz, before layout
 };
 
-/// Random traffic of the model goes into the gates of each kind, whose outputs must be the model's;
-/// then wrong bits are put into it, which must be found: it does compare. Of osu018 also
-/// flip-flops, cells, area and slack. Of engine::top only these: it has no random traffic. Without
-/// yosys, cells or OpenSTA, and when interrupted: Undecided. Only one such check and nothing else
-/// of SystemC may happen in a process. Throws UsageError.
+/// Traffic of the model goes into the gates of each kind, whose outputs must be the model's; then
+/// wrong bits are put into it, which must be found: it does compare. Of osu018 also flip-flops,
+/// cells, area and slack. Without yosys, cells or OpenSTA, and when interrupted: Undecided. Only
+/// one such check and nothing else of SystemC may happen in a process. Throws UsageError.
 CheckResult sign_off_gates(const UnitUnderTest& dut, const GatesOptions& options);
 
 }  // namespace racebeam

@@ -42,6 +42,7 @@ struct SignoffCheck {
   const char* name;
   const char* meaning;               ///< "yosys puts mistakes into the RTL, ..."
   std::vector<const char*> tools{};  ///< without one of them it is undecided
+  bool of_chips;                     ///< whole chips have it, too
   /// Throws RtlError, UsageError, MissingTool, Interrupted.
   CheckResult (*run)(const SignoffUnit& unit, const SignoffOptions& options);
 };

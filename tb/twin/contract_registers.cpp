@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/twin/contract_registers.h"
 
+#include "tb/scene/engines.h"
+
 namespace racebeam {
 
 namespace {
@@ -9,7 +11,7 @@ namespace {
 constexpr const char* Told = "means nothing while the valid beside it is 0";
 constexpr const char* Loaded = "goes on without reset; loaded before it counts";
 
-constexpr Unreset Rows[] = {
+const std::vector<Unreset> Rows = {
     {"vga_timing", "vs_q", "vs is not reset, 0 at power-up"},
     {"pwm_sound", "pwm_q", "the PWM counter is not reset, 0 at power-up"},
     {"ray_stepper", "tracer_reset_i", "resets nothing: it says who steers; camera_unit loads zero"},
@@ -64,6 +66,15 @@ std::vector<Unreset> rows_of(const std::string& unit, Kind kind) {
   return rows;
 }
 
+/// The registers of all units of `chip`, as its RTL has them.
+std::vector<Unreset> registers_of_chip(const engine& chip) {
+  std::vector<Unreset> rows;
+  for (const std::string& unit : chip.unit_names(false))
+    for (const Unreset& row : rows_of(unit, Kind::Register))
+      rows.push_back({chip.top, chip.unit(unit)->path() + "." + row.name, row.reason});
+  return rows;
+}
+
 /// Without what numbers elements and generate blocks.
 std::string without_indices(const std::string& name) {
   std::string text;
@@ -79,18 +90,22 @@ std::string without_indices(const std::string& name) {
 }  // namespace
 
 bool is_named(const Unreset& row, const std::string& name) {
-  const std::string plain = without_indices(name), wanted = row.name;
+  const std::string plain = without_indices(name), wanted = without_indices(row.name);
   return plain == wanted || plain.rfind(wanted + ".", 0) == 0;
 }
 
 std::vector<Unreset> contract_registers(const std::string& unit) {
+  for (const engine* built : engines())
+    if (unit == built->top) return registers_of_chip(*built);
   return rows_of(unit, Kind::Register);
 }
 std::vector<Unreset> contract_ports(const std::string& unit) { return rows_of(unit, Kind::Output); }
 
 std::string contract_reason(const std::string& unit, const std::string& name) {
-  for (const Unreset& row : Rows)
-    if (unit == row.unit && is_named(row, name)) return row.reason;
+  for (const std::vector<Unreset>& rows :
+       {contract_registers(unit), contract_ports(unit), rows_of(unit, Kind::Input)})
+    for (const Unreset& row : rows)
+      if (is_named(row, name)) return row.reason;
   return "";
 }
 

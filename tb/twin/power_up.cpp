@@ -114,27 +114,17 @@ std::vector<const rtl_port*> left_open(const rtl_model& model, const std::string
   return all;
 }
 
-/// What those have after the clock in reset, from zeros.
-std::vector<std::uint64_t> opened(const std::string& plugin, const PortTraffic& traffic) {
-  BareRtl rtl(plugin, traffic);
-  rtl.run(traffic, 0, 1);
-  std::vector<std::uint64_t> values;
-  for (const rtl_port* signal : left_open(rtl.model(), traffic.unit))
-    values.push_back(value_of(*signal));
-  return values;
-}
-
 /// The first difference of RTL that powers up so. What the contract leaves without reset is 0, and
 /// after the clock in reset what it is from zeros: there it may have taken over what others had.
 std::optional<TrafficDifference> first_from(const rtl_power_up& start, const std::string& plugin,
                                             const PortTraffic& traffic,
-                                            const std::vector<std::uint64_t>& open) {
+                                            const std::vector<OpenRegister>& open) {
   const RtlPowerUp now(start);
   BareRtl rtl(plugin, traffic);
   const auto signals = left_open(rtl.model(), traffic.unit);
   for (const rtl_port* signal : signals) put(*signal, 0);
   rtl.run(traffic, 0, 1);
-  for (std::size_t n = 0; n < signals.size(); ++n) put(*signals[n], open[n]);
+  for (std::size_t n = 0; n < signals.size(); ++n) put(*signals[n], open[n].value);
   rtl.unsettle();
   return rtl.run(traffic, 1, traffic.clocks());
 }
@@ -193,6 +183,13 @@ PortTraffic of_zeros(const std::string& plugin, PortTraffic traffic) {
     rtl.rise();
   }
   return traffic;
+}
+
+int bits_of(const std::string& plugin, const std::string& name) {
+  const rtl_library rtl(plugin);
+  int bits = 0;
+  for (const rtl_port* part : find(rtl.model(), name).parts) bits += part->bits;
+  return bits;
 }
 
 /// The first port that a register reaches which alone is not 0 at power-up.
@@ -255,6 +252,15 @@ std::vector<rtl_power_up> starts(int seeds) {
 
 }  // namespace
 
+std::vector<OpenRegister> open_registers(const std::string& plugin, const PortTraffic& traffic) {
+  BareRtl rtl(plugin, traffic);
+  rtl.run(traffic, 0, 1);
+  std::vector<OpenRegister> all;
+  for (const rtl_port* signal : left_open(rtl.model(), traffic.unit))
+    all.push_back({signal->name, signal->bits, value_of(*signal)});
+  return all;
+}
+
 PowerUpFindings find_power_up(const std::string& plugin, const PortTraffic& traffic,
                               const PowerUpOptions& options) {
   PowerUpFindings findings;
@@ -263,7 +269,7 @@ PowerUpFindings find_power_up(const std::string& plugin, const PortTraffic& traf
                           contract_reason(traffic.unit, port.name).empty();
   const PortTraffic model = compared(traffic);
   try {
-    const std::vector<std::uint64_t> open = opened(plugin, model);
+    const std::vector<OpenRegister> open = open_registers(plugin, model);
     for (const rtl_power_up& start : starts(options.seeds)) {
       if (interrupted() || !findings.has_reset) break;
       const auto first = first_from(start, plugin, model, open);
@@ -278,7 +284,10 @@ PowerUpFindings find_power_up(const std::string& plugin, const PortTraffic& traf
     if (!findings.has_reset) return findings;
     const PortTraffic zeros = of_zeros(plugin, traffic), rest = compared(zeros);
     for (const std::string& name : without_reset(plugin, traffic, registers))
-      if (!interrupted()) findings.unreset.push_back(shown(plugin, zeros, rest, name));
+      if (!interrupted())
+        findings.unreset.push_back(options.one_by_one || !findings.differences.empty()
+                                       ? shown(plugin, zeros, rest, name)
+                                       : UnresetRegister{name, bits_of(plugin, name), {}, 0, {}});
   } catch (const RtlFault& fault) {
     findings.fault = fault.what();
   }

@@ -22,6 +22,9 @@ struct PowerUpOptions {
   int seeds = 100;
   std::uint64_t clocks = 10000;  ///< of traffic, for each
   unsigned traffic = 1;          ///< seed of the traffic
+  /// Look for where each register shows that the reset does not reach. Else only if from some start
+  /// an output differs: each takes a dozen times the clocks.
+  bool one_by_one = true;
 };
 
 /// An output that is not the model's after the reset.
@@ -35,7 +38,7 @@ struct PowerUpDifference {
 struct UnresetRegister {
   std::string name;
   int bits = 0;             ///< of an array: of all elements
-  std::string port;         ///< that it reaches; empty: none was seen
+  std::string port;         ///< that it reaches; empty: none was seen, or not looked for
   std::uint64_t clock = 0;  ///< when
   std::string reason;       ///< of contract_reason() of it or of the port; empty: a fault
 };
@@ -49,6 +52,15 @@ struct PowerUpFindings {
   std::vector<UnresetRegister> unreset;
   std::string fault;  ///< what ended the RTL; or empty
 };
+
+/// A register, or an element of an array, that the contract leaves without reset.
+struct OpenRegister {
+  std::string name;  ///< as the RTL has it: "u_lane[2].sum_q[7]"
+  int bits;
+  std::uint64_t value;  ///< after the clock in reset, where all registers were 0 at power-up
+};
+/// Those of RTL with the signals inside. Throws RtlError, RtlFault.
+std::vector<OpenRegister> open_registers(const std::string& plugin, const PortTraffic& traffic);
 
 /// `plugin`: RTL of the unit, with the signals inside. Of a unit without a reset only the number of
 /// its registers. Throws RtlError.

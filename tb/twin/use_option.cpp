@@ -102,7 +102,7 @@ void UseOption::use_one(unit_choices& choices, const std::string& text, bool bes
                      "UNIT=FILE.sv");
   const std::string unit = text.substr(0, equals), how = text.substr(equals + 1);
   if (unit != AllUnits) {
-    if (unit == engine_.top) check_whole_chip(how, beside);
+    if (unit == engine_.top) check_use_of_chip(how, beside);
     else check_unit(unit);
     choices.by_unit[unit] = choice_of(unit, how);
     return;
@@ -120,12 +120,16 @@ void UseOption::use_one(unit_choices& choices, const std::string& text, bool bes
     choices.by_unit[engine_.top] = choice_of(engine_.top, how);
 }
 
-void UseOption::check_whole_chip(const std::string& how, bool beside) const {
+void UseOption::check_use_of_chip(const std::string& how, bool beside) const {
   if (how == "model" || how == "rtl" || (!beside && gate_word(how)))
     throw UsageError(fmt::format(
         "{0} is all units in RTL and their wires: it runs beside the chip only, as {0}=lockstep; "
         "for {1} in the chip write all={2}",
         engine_.top, gate_word(how) ? "gates" : "RTL", gate_word(how) ? how : "rtl"));
+  check_whole_chip();
+}
+
+void UseOption::check_whole_chip() const {
   if (!wired_)
     throw UsageError(
         std::string(engine_.top) +

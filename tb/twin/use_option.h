@@ -43,12 +43,15 @@ class UseOption {
   /// Says why a unit is none of this chip. Throws UsageError unless it is one.
   void check_unit(const std::string& unit) const;
 
+  /// Says why the RTL of the whole chip is not this chip. Throws UsageError unless it is.
+  void check_whole_chip() const;
+
  private:
   /// `beside`: of verify, which has nothing but lockstep.
   void use_one(unit_choices& choices, const std::string& text, bool beside) const;
   unit_choice choice_of(const std::string& unit, const std::string& text) const;
 
-  void check_whole_chip(const std::string& how, bool beside) const;
+  void check_use_of_chip(const std::string& how, bool beside) const;
 
   const engine& engine_;
   const bool scene_file_;

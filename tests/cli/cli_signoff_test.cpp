@@ -115,6 +115,27 @@ TEST_F(CliSignoffTest, AMistakeInTheRtlTurnsItRed) {
   EXPECT_THAT(run.out(), HasSubstr("model and RTL differ in clock"));
 }
 
+TEST_F(CliSignoffTest, AWholeChipHasChecksOfItsOwn) {
+  Program run(folder.path(), {"signoff", "racebeam_top", "--only", "comparator", "--only", "lint",
+                              "--only", "mutants", "--json"});
+  EXPECT_EQ(run.wait(), 0) << run.err() << run.out();
+  const Json results = run.json()["results"];
+  ASSERT_EQ(results.size(), 2u) << "its units have mutants";
+  EXPECT_EQ(results[0]["detail"]["lockstep"]["bits"], 8 + 1) << "uo_o, pwm_o";
+  EXPECT_EQ(results[0]["detail"]["lockstep"]["missed"], 0);
+}
+
+TEST_F(CliSignoffTest, AMistakeInTheWiringOfTheChipTurnsItRed) {
+  std::string text = read_file(rtl_file("racebeam_top"));
+  const std::string was = ".pwm_o(pwm_o)";
+  ASSERT_NE(text.find(was), std::string::npos);
+  text.replace(text.find(was), was.size(), ".pwm_o()");
+  std::ofstream(folder / "mine.sv") << text;
+  Program run(folder.path(), {"signoff", "racebeam_top=mine.sv", "--only", "comparator"});
+  EXPECT_EQ(run.wait(), 1) << run.err();
+  EXPECT_THAT(run.out(), HasSubstr("differ by themselves, at pwm_o"));
+}
+
 TEST_F(CliSignoffTest, AFileOfAnotherNameIsNoWarning) {
   std::ofstream(folder / "mine.sv") << read_file(rtl_file("stacks"));
   Program run(folder.path(), {"signoff", "stacks=mine.sv", "--only", "lint"});
@@ -197,7 +218,8 @@ TEST_F(CliSignoffTest, AToolThatIsMissingIsToldAndOtherChecksGoOn) {
 TEST_F(CliSignoffTest, BadWordsAreRefused) {
   expect_refused({"signoff", "stakcs"}, "did you mean 'stacks'");
   expect_refused({"signoff", "stacks", "--only", "mutnats"}, "did you mean 'mutants'");
-  expect_refused({"signoff", "racebeam_top"}, "has no traffic of its own");
+  expect_refused({"signoff", "racebeam_top", "--only", "mutants"}, "whose units have that check");
+  expect_refused({"signoff", "racebeam_top", "--set", "fifo_entries=64"}, "leave out");
   expect_refused({"signoff", "stacks=mine.so"}, "give its source");
   expect_refused({"signoff", "stacks="}, "UNIT=FILE.sv");
   expect_refused({"signoff", "stacks", "--mutants", "0"}, "--mutants");

@@ -15,6 +15,7 @@
 
 #include "tb/scene/engines.h"
 #include "tb/signoff/four_state.h"
+#include "tb/signoff/from_reset.h"
 #include "tb/twin/twins.h"
 #include "tests/support/scratch_folder.h"
 
@@ -101,8 +102,11 @@ TEST_F(ResetOfVgaTiming, ARegisterThatNoPinShowsIsNoFault) {
 class LongEveryUnit : public testing::TestWithParam<std::string> {};
 
 TEST_P(LongEveryUnit, ShowsNothingOfItsPowerUpAfterTheReset) {
-  const CheckResult result =
-      sign_off_reset(unit(engine_of_unit(GetParam()), GetParam()), ResetOptions{});
+  const UnitUnderTest dut = unit(engine_of_unit(GetParam()), GetParam());
+  ResetOptions options;
+  options.starts.clocks = clocks_from_reset(dut, options.starts.clocks);
+  options.starts.one_by_one = !is_whole_chip(dut);
+  const CheckResult result = sign_off_reset(dut, options);
   std::printf("%s: %s, %.1f s\n", result.unit.c_str(), result.summary.c_str(), result.seconds);
   for (const std::string& fault : result.faults) std::printf("  %s\n", fault.c_str());
   EXPECT_EQ(result.verdict, CheckResult::Good);
@@ -110,9 +114,10 @@ TEST_P(LongEveryUnit, ShowsNothingOfItsPowerUpAfterTheReset) {
 
 std::set<std::string> all_units() {  // some belong to several engines
   std::set<std::string> all;
-  for (const engine* built : engines())
-    for (const std::string& name : built->unit_names(false))
-      if (name != built->top) all.insert(name);
+  for (const engine* built : engines()) {
+    for (const std::string& name : built->unit_names(false)) all.insert(name);
+    if (*built->top) all.insert(built->top);
+  }
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(LongUnits, LongEveryUnit, testing::ValuesIn(all_units()),
