@@ -341,9 +341,9 @@ Run plan_verify(const VerifyOptions& options) {
 }
 
 int command_verify(const VerifyOptions& options) {
-  if (options.replay != AllFrames &&
-      (options.jobs > 0 || options.minutes > 0 || !options.record.empty()))
-    throw UsageError("--jobs, --minutes and --record are of --replay all");
+  if (options.replay != AllFrames && (options.first != VerifyOptions::Spread || options.jobs > 0 ||
+                                      options.minutes > 0 || !options.record.empty()))
+    throw UsageError("--first, --jobs, --minutes and --record are of --replay all");
   if (!options.replay.empty()) return verify_replay(options);
   auto [show, level, k, choices] = plan_verify(options);
   const bool inside = options.power_up > 0 || !options.bench.empty();
@@ -425,9 +425,13 @@ void add_options(const CommandOptions& command, VerifyOptions& options) {
   command
       .add_option("--replay", options.replay,
                   "Traffic that `racebeam capture` wrote, into the RTL alone; UNIT=model too; all: "
-                  "every frame of the scene, or the first --frames of them, kept in parts in -o")
+                  "every frame of the scene, or --frames of them, kept in parts in -o")
       .type_name("FILE")
       .check(not_empty);
+  add_number(command, "--first", options.first,
+             "Of --replay all: the first of --frames consecutive frames; else they are spread over "
+             "the scene",
+             is_number_in("--first", 0, std::numeric_limits<int>::max()));
   add_number(command, "--jobs", options.jobs,
              "Of --replay all: processes; else as many as there are processors",
              is_number_in("--jobs", 1, MostJobs));

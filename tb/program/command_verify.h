@@ -21,6 +21,7 @@ struct VerifyOptions : RunOptions, ShakeOptions, DelayOptions {
   /// Of the scene, evenly spread; 0: no chip traffic; UsualFrames: 60, or 2 whole pictures of an
   /// engine that does not race the beam.
   static constexpr long long UsualFrames = std::numeric_limits<long long>::min();
+  static constexpr long long Spread = -1;
   long long frames = UsualFrames;
   long long random = 100000;  ///< clocks of random traffic for each unit
   long long seed = 1;
@@ -29,11 +30,12 @@ struct VerifyOptions : RunOptions, ShakeOptions, DelayOptions {
   std::string bench;                       ///< Verilog file of what the unit is played; empty: none
   bool no_shrink = false;                  ///< differences alone stay as they were found
   std::string replay;                      ///< a file of traffic, instead of frames and random
-  std::string record;                      ///< file for a row of each unit's replay; empty: none
-  long long jobs = 0;                      ///< processes of a replay of all; 0: as processors
-  long long minutes = 0;                   ///< after which no part of it begins; 0: no end
-  long long power_up = 0;                  ///< random values of each unit's registers at power-up
-  bool watch = false;                      ///< for verify_watch()
+  long long first = Spread;  ///< of consecutive frames of a replay of all; Spread: over the scene
+  std::string record;        ///< file for a row of each unit's replay; empty: none
+  long long jobs = 0;        ///< processes of a replay of all; 0: as processors
+  long long minutes = 0;     ///< after which no part of it begins; 0: no end
+  long long power_up = 0;    ///< random values of each unit's registers at power-up
+  bool watch = false;        ///< for verify_watch()
   bool json = false;
 };
 

@@ -74,8 +74,8 @@ class SharedCount {
 class AllFramesReplay {
  public:
   AllFramesReplay(const VerifyOptions& options, const Run& run, std::vector<Replay> units,
-                  int frames)
-      : options_(options), run_(run), frames_(frames) {
+                  std::vector<ReplayPart> parts)
+      : options_(options), run_(run), parts_(std::move(parts)) {
     units_.reserve(units.size());
     for (Replay& what : units) {
       TrafficHead head = replay_head(what);
@@ -83,10 +83,6 @@ class AllFramesReplay {
       std::string folder = options.folder + "/" + folder_name(what.word);
       units_.push_back({std::move(what), std::move(head), std::move(key), std::move(folder), {}});
     }
-    const int most = run.show.engine().races_beam ? MostFrames : MostPictures;
-    const int step = std::clamp(frames / LeastParts, 1, most);
-    for (int first = 0; first < frames; first += step)
-      parts_.push_back({first, std::min(step, frames - first)});
   }
 
   /// Throws Interrupted: what is done is kept.
@@ -137,9 +133,8 @@ class AllFramesReplay {
 
   const VerifyOptions& options_;
   const Run& run_;
-  const int frames_;
   std::vector<Unit> units_;
-  std::vector<ReplayPart> parts_;
+  const std::vector<ReplayPart> parts_;
 };
 
 /// The first line of `mine` that `theirs` does not have.
@@ -278,13 +273,40 @@ UnitVerdict AllFramesReplay::sum(const Unit& unit) const {
 }
 
 void AllFramesReplay::record(const std::vector<UnitVerdict>& verdicts) const {
+  int frames = 0;
+  for (const ReplayPart& part : parts_) frames += part.frames;
+  std::string run_text = " --scene " + options_.scene + options_.set_text() + " --replay all";
+  if (options_.first != VerifyOptions::Spread)
+    run_text += fmt::format(" --first {}", parts_[0].first);
+  if (frames < run_.show.frames()) run_text += fmt::format(" --frames {}", frames);
   std::vector<ReplayRow> rows;
   for (std::size_t n = 0; n < units_.size(); ++n) {
     const Unit& unit = units_[n];
-    rows.push_back(replay_row(unit.head, unit.what.word, unit.key, frames_, verdicts[n],
-                              " --scene " + options_.scene + options_.set_text()));
+    rows.push_back(replay_row(unit.head, unit.what.word, unit.key, frames, verdicts[n], run_text));
   }
   write_replay_record(options_.record, rows);
+}
+
+/// Of the frames that are asked for. Throws UsageError: the scene does not have them.
+std::vector<ReplayPart> parts_of(const VerifyOptions& options, const Run& run) {
+  const long long all = run.show.frames();
+  const bool spread = options.first == VerifyOptions::Spread;
+  const long long begin = spread ? 0 : options.first;
+  const long long frames =
+      options.frames == VerifyOptions::UsualFrames ? all - begin : options.frames;
+  if (frames < 1 || begin + frames > all)
+    throw UsageError(spread
+                         ? fmt::format("--frames {} is out of range; the scene has {}", frames, all)
+                         : fmt::format("--first {} --frames {} is out of range; the scene has {}",
+                                       begin, std::max(frames, 0LL), all));
+  const long long most = run.show.engine().races_beam ? MostFrames : MostPictures;
+  const long long step = std::clamp(frames / LeastParts, 1LL, most);
+  const long long count = (frames + step - 1) / step, others = spread ? all - frames : 0;
+  std::vector<ReplayPart> parts;
+  for (long long n = 0; n < count; ++n)
+    parts.push_back({static_cast<int>(begin + n * step + others * (2 * n + 1) / (2 * count)),
+                     static_cast<int>(std::min(step, frames - n * step))});
+  return parts;
 }
 
 /// Of each unit, with "all" written out. Throws UsageError: two go to one folder.
@@ -314,10 +336,7 @@ std::vector<std::string> words_of(const VerifyOptions& options, const Run& run) 
 
 int verify_all_frames(const VerifyOptions& options) {
   const Run run = open_run(options, true);
-  const long long all = run.show.frames();
-  const long long frames = options.frames == VerifyOptions::UsualFrames ? all : options.frames;
-  if (frames < 1 || frames > all)
-    throw UsageError(fmt::format("--frames {} is out of range; the scene has {}", frames, all));
+  std::vector<ReplayPart> parts = parts_of(options, run);
   try_folder(options.folder);
   const std::vector<std::string> words = words_of(options, run);
   catch_interrupts();
@@ -327,7 +346,7 @@ int verify_all_frames(const VerifyOptions& options) {
     units.push_back(replay_of(options, run, word, nullptr));
     units.back().traffic = "all";
   }
-  AllFramesReplay replay(options, run, std::move(units), static_cast<int>(frames));
+  AllFramesReplay replay(options, run, std::move(units), std::move(parts));
   return tell_verdicts(replay.run(), options.seed, options.json);
 }
 

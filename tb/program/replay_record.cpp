@@ -63,7 +63,7 @@ ReplayRow replay_row(const TrafficHead& head, const std::string& word, const std
           verdict.fault,
           line_of(key, "model"),
           line_of(key, "RTL"),
-          fmt::format("racebeam verify {}{} --replay all --frames {}", word, run_text, frames)};
+          "racebeam verify " + word + run_text};
 }
 
 std::vector<ReplayRow> read_replay_record(const std::string& path) {

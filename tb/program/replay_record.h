@@ -22,7 +22,7 @@ struct ReplayRow {
   std::string command;     ///< that compares the same
 };
 
-/// `key`: as of replay_key(); `run_text`: " --scene demo", and the knobs.
+/// `key`: as of replay_key(); `run_text`: " --scene demo", the knobs, and which frames.
 ReplayRow replay_row(const TrafficHead& head, const std::string& word, const std::string& key,
                      int frames, const UnitVerdict& verdict, const std::string& run_text);
 

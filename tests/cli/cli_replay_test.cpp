@@ -110,7 +110,7 @@ TEST_F(CliReplayTest, CapturesThatCannotBeAreRefused) {
 }
 
 TEST_F(CliReplayTest, AKilledReplayGoesOnWithThePartsThatAreDone) {
-  const Words words = {"verify", "stacks", "--replay", "all", "--frames", "8"};
+  const Words words = {"verify", "stacks", "--replay", "all", "--first", "0", "--frames", "8"};
   {
     Program run(folder.path(), words);
     while (!std::filesystem::exists(part("frames_00000_1.json")) && run.runs())
@@ -129,13 +129,13 @@ TEST_F(CliReplayTest, AKilledReplayGoesOnWithThePartsThatAreDone) {
 TEST_F(CliReplayTest, ADamagedPartIsComparedAgain) {
   const Words words = {"verify", "stacks", "--replay", "all", "--frames", "2"};
   EXPECT_EQ(unit(words, 0)["clocks"], 2 * (FrameClocks + 1));
-  const std::string path = part("frames_00001_1.json");
+  const std::string path = part("frames_09598_1.json");  // of 12,799, at three quarters
   std::string text = read_file(path);
   text[text.find("840001") + 1] = '5';
   std::ofstream(path) << text;
   Program again(folder.path(), words);
   EXPECT_EQ(again.wait(), 0);
-  EXPECT_THAT(again.err(), HasSubstr("frames_00001_1.json is damaged"));
+  EXPECT_THAT(again.err(), HasSubstr("frames_09598_1.json is damaged"));
   EXPECT_THAT(read_file(path), HasSubstr("840001"));
 }
 
@@ -143,8 +143,8 @@ TEST_F(CliReplayTest, PartsOfOtherRtlAreNotMixed) {
   Program run(folder.path(), {"verify", "stacks", "--replay", "all", "--frames", "1"});
   EXPECT_EQ(run.wait(), 0) << run.err();
   expect_refused({"verify", mistaken(), "--replay", "all", "--frames", "1"}, "with another RTL");
-  const Json row =
-      unit({"verify", mistaken(), "--replay", "all", "--frames", "1", "-o", "mine"}, 1);
+  const Json row = unit(
+      {"verify", mistaken(), "--replay", "all", "--first", "0", "--frames", "1", "-o", "mine"}, 1);
   EXPECT_EQ(row["first"]["place"]["frame"], 0);
   EXPECT_THAT(row["first"]["text"].get<std::string>(),
               HasSubstr("repeat: racebeam capture stacks --first 0 --frames 1 --scene demo -o "
@@ -154,7 +154,7 @@ TEST_F(CliReplayTest, PartsOfOtherRtlAreNotMixed) {
 
 TEST_F(CliReplayTest, UnitsThatShareAPassSayWhatTheySayAlone) {
   Program run(folder.path(), {"verify", "interval_fifo", mistaken(), "navigator", "sequencer",
-                              "--replay", "all", "--frames", "2", "--json"});
+                              "--replay", "all", "--first", "0", "--frames", "2", "--json"});
   EXPECT_EQ(run.wait(), 1) << run.err();
   const Json rows = run.json()["units"];
   ASSERT_EQ(rows.size(), 4u);
@@ -162,8 +162,9 @@ TEST_F(CliReplayTest, UnitsThatShareAPassSayWhatTheySayAlone) {
     EXPECT_EQ(rows[n]["clocks"], 2 * (FrameClocks + 1)) << rows[n].dump();
     EXPECT_EQ(rows[n]["differences"], 0) << rows[n].dump();
   }
-  const Json alone =
-      unit({"verify", "stacks=mine.sv", "--replay", "all", "--frames", "2", "-o", "alone"}, 1);
+  const Json alone = unit({"verify", "stacks=mine.sv", "--replay", "all", "--first", "0",
+                           "--frames", "2", "-o", "alone"},
+                          1);
   EXPECT_EQ(rows[1]["differences"], alone["differences"]);
   for (const char* key : {"port", "clock", "expected", "got", "place"})
     EXPECT_EQ(rows[1]["first"][key], alone["first"][key]) << key;
@@ -205,9 +206,25 @@ TEST_F(CliReplayTest, ARecordHasARowForEachUnitAndLevel) {
     EXPECT_EQ(rows[1]["command"],
               "racebeam verify stacks=gates --scene demo --replay all --frames 1");
   }
+  Program range(folder.path(), {"verify", "stacks", "--replay", "all", "--first", "12798",
+                                "--record", "kept.json"});
+  EXPECT_EQ(range.wait(), 0) << range.err();
+  const Json rows = Json::parse(read_file(folder / "kept.json"));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[2]["command"],
+            "racebeam verify stacks --scene demo --replay all --first 12798 --frames 1");
   std::ofstream(folder / "kept.json") << "words";
   expect_refused(words, "kept.json holds no record of replays");
   expect_refused({"verify", "stacks", "--record", "kept.json"}, "of --replay all");
+}
+
+TEST_F(CliReplayTest, FramesThatTheSceneDoesNotHaveAreRefused) {
+  expect_refused({"verify", "stacks", "--replay", "all", "--frames", "12800"},
+                 "--frames 12800 is out of range; the scene has 12799");
+  expect_refused({"verify", "stacks", "--replay", "all", "--first", "12798", "--frames", "2"},
+                 "--first 12798 --frames 2 is out of range; the scene has 12799");
+  expect_refused({"verify", "stacks", "--replay", "all", "--first", "12799"}, "is out of range");
+  expect_refused({"verify", "stacks", "--first", "3"}, "of --replay all");
 }
 
 TEST_F(CliReplayTest, TwoReplaysAtOnceAreRefused) {
