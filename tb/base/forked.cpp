@@ -23,7 +23,7 @@ namespace {
 constexpr int Pause = 100;  // milliseconds
 
 /// Exit codes of a child whose answer is an error, unlike those of a program that ends by itself.
-enum Thrown { Other = 64, Usage, Missing, Rtl };
+enum Thrown { Other = 64, Usage, Missing, Rtl, Stopped };
 
 /// What a child writes until it closes its end. An interrupt is passed on to it, which may have
 /// come to us alone.
@@ -79,6 +79,8 @@ std::string forked(const std::function<std::string()>& work) {
     } catch (const MissingTool& error) {
       answer = error.what();
       status = Missing;
+    } catch (const Interrupted&) {
+      status = Stopped;
     } catch (const std::exception& error) {
       answer = error.what();
       status = Other;
@@ -95,6 +97,7 @@ std::string forked(const std::function<std::string()>& work) {
     case Rtl: throw RtlError(answer);
     case Usage: throw UsageError(answer);
     case Missing: throw MissingTool(answer);
+    case Stopped: throw Interrupted();
     case Other: throw std::runtime_error(answer);
   }
   if (interrupted()) throw Interrupted();

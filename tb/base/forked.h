@@ -17,7 +17,7 @@ class ChildDied : public std::runtime_error {
 };
 
 /// Runs `work` in a child and returns what it returns. An exception there is thrown here with
-/// the same text: RtlError, UsageError (an OutputError too), MissingTool, others as
+/// the same text: RtlError, UsageError (an OutputError too), MissingTool, Interrupted, others as
 /// std::runtime_error; a child that dies as ChildDied. A child is told of an
 /// interrupt, and has the time to answer.
 std::string forked(const std::function<std::string()>& work);
