@@ -97,7 +97,8 @@ RandomTraffic::Raw RandomTraffic::from(Source source, const Input& input) {
   const int bits = input.pin->bits;
   switch (source) {
     case Small: {
-      const Raw size = any_value() & ((Raw{1} << below(bits)) - 1);
+      const Raw value = any_value();  // in this order, whatever compiles it
+      const Raw size = value & ((Raw{1} << below(bits)) - 1);
       return one_of(2) ? size : ~size;
     }
     case Boundary: return boundary(bits);
