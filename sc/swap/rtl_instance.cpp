@@ -46,11 +46,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
   }
   changes_ = changed_ports(driven);
   const std::set<std::string> quiet = quiet_inputs_of(model());
-  for (std::size_t n = 0; n < inputs_.size(); ++n) {
-    inputs_[n].quiet = quiet.count(inputs_[n].rtl.name()) != 0;
-    (inputs_[n].quiet ? quiet_ : prompt_).push_back(n);
-  }
-  forget_inputs();
+  for (joint& in : inputs_) in.quiet = quiet.count(in.rtl.name()) != 0;
   std::string other;
   for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), wanted))
     other += " " + parameter.name + "=" + std::to_string(parameter.value);
@@ -70,26 +66,21 @@ void rtl_instance::value::write(std::uint64_t value) const {
   }
 }
 
-bool rtl_instance::take(joint& in) {
-  const std::uint64_t now = in.wire.value();
-  if (now == in.last) return false;
-  in.last = now;
-  in.rtl.write(now);
-  return true;
-}
-
-/// Whether all inputs are to be taken, as nothing is known of them.
+/// Whether nothing is known of the inputs yet, or no more.
 bool rtl_instance::bind_wires() {
-  if (!bound_)
-    for (auto* side : {&inputs_, &outputs_})
-      for (joint& port : *side) port.wire = port.pin->contents();
-  bound_ = true;
+  if (!std::exchange(bound_, true)) {
+    for (joint& out : outputs_) out.wire = out.pin->contents();
+    for (joint& in : inputs_) {
+      in.wire = in.pin->contents();
+      (in.quiet ? quiet_ : prompt_).add(in.wire, rtl_port_of(model(), in.rtl.name()));
+    }
+  }
   return !std::exchange(settled_, true);
 }
 
 void rtl_instance::settle() {
   bool moved = bind_wires();
-  for (joint& in : inputs_) moved |= take(in);
+  moved |= prompt_.take() | quiet_.take();
   if (moved) library_.eval();
 }
 
@@ -97,16 +88,13 @@ void rtl_instance::edge() { library_.rise(); }
 
 void rtl_instance::follow() {
   const bool all = bind_wires();
-  bool moved = all;
-  for (const std::size_t n : prompt_) moved |= take(inputs_[n]);
-  if (all)
-    for (const std::size_t n : quiet_) take(inputs_[n]);
-  if (moved) library_.eval();
+  if (all) quiet_.take();
+  if (prompt_.take() || all) library_.eval();
   drive();
 }
 
 void rtl_instance::clock() {
-  for (const std::size_t n : quiet_) take(inputs_[n]);
+  quiet_.take();
   if (++edges_ % Checked == 0 && !quiet_.empty()) check_quiet();
   library_.rise();
   drive();
@@ -140,13 +128,8 @@ void rtl_instance::place(const vec3& position, int room) {
 
 void rtl_instance::private_edges(const input_values& inputs, int edges) {
   for (const auto& [name, value] : inputs) port(name).write(static_cast<std::uint64_t>(value));
+  library_.eval();
   for (; edges > 0; --edges) library_.rise();
-  forget_inputs();
-}
-
-// They have other values than the wires, or others follow from them: the next settle() sees to it.
-void rtl_instance::forget_inputs() {
-  for (joint& in : inputs_) in.last = in.rtl.read();
   settled_ = false;
 }
 
@@ -171,7 +154,7 @@ std::vector<probe> rtl_instance::probes() const {
 
 void rtl_instance::deposit(const std::string& name, std::uint64_t value) {
   signal(name).write(value);
-  forget_inputs();
+  settled_ = false;
 }
 
 rtl_instance::value rtl_instance::port(const std::string& name) const {

@@ -10,6 +10,7 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/changed_ports.h"
+#include "sc/swap/followed_wires.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
@@ -63,9 +64,8 @@ class rtl_instance {
   struct joint {
     any_port* pin;
     value rtl;
-    wire_contents wire{};    ///< once it has settled
-    std::uint64_t last = 0;  ///< what the RTL has, of an input
-    bool quiet = false;      ///< an input that reaches no output before the next edge
+    wire_contents wire{};  ///< once it has settled
+    bool quiet = false;    ///< an input that reaches no output before the next edge
   };
   const std::vector<joint>& inputs() const { return inputs_; }
   const std::vector<joint>& outputs() const { return outputs_; }
@@ -78,19 +78,16 @@ class rtl_instance {
   void deposit(const std::string& signal, std::uint64_t value);
 
  private:
-  /// From its wire; whether it has moved.
-  static bool take(joint& in);
   bool bind_wires();
   void drive();
   void check_quiet();
   value port(const std::string& name) const;
-  void forget_inputs();
   const rtl_model& model() const { return library_.model(); }
 
   rtl_library library_;
   std::vector<joint> inputs_, outputs_;
-  std::vector<std::size_t> prompt_, quiet_;  // of the inputs
-  changed_ports changes_;                    // of the outputs
+  followed_wires prompt_, quiet_;  // of the inputs, once the wires are known
+  changed_ports changes_;          // of the outputs
   std::uint64_t edges_ = 0;
   bool settled_ = false;  // the RTL has seen its inputs, and its outputs follow
   bool bound_ = false;    // the wires are known

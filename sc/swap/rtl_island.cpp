@@ -37,6 +37,11 @@ void put(const wire_contents& wire, std::uint64_t value) {
   else *const_cast<sc_dt::sc_uint_base*>(wire.word) = value;
 }
 
+/// The event of a rising edge, which a signal has from when somebody asks for it.
+struct rising_event : wire<1> {
+  static constexpr auto of = &rising_event::m_posedge_event_p;
+};
+
 /// The channel of a bound port.
 const sc_core::sc_object* channel_of(const any_port& pin) {
   const auto* port = dynamic_cast<const sc_core::sc_port_base*>(&pin);
@@ -62,19 +67,16 @@ std::string wire_name(const std::string& port) {
 }
 
 rtl_island::rtl_island(const std::string& name, const std::vector<island_unit*>& units)
-    : library_(units.at(0)->plugin()), units_(units) {
+    : sc_prim_channel(name.c_str()), library_(units.at(0)->plugin()), units_(units) {
   join(units);
-  sc_core::sc_spawn_options on_inputs, on_edge, after_edge;
-  for (auto* process : {&on_inputs, &on_edge, &after_edge}) process->spawn_method();
+  sc_core::sc_spawn_options on_inputs, on_edge;
+  for (auto* process : {&on_inputs, &on_edge}) process->spawn_method();
   for (const input& in : inputs_)
     on_inputs.set_sensitivity(dynamic_cast<sc_core::sc_port_base*>(in.pin));
   sc_core::sc_spawn([this] { comb(); }, (name + "_comb").c_str(), &on_inputs);
   on_edge.dont_initialize();
   on_edge.set_sensitivity(&clock_of(units).pos());
   sc_core::sc_spawn([this] { seq(); }, (name + "_seq").c_str(), &on_edge);
-  after_edge.dont_initialize();
-  after_edge.set_sensitivity(&edge_done_);
-  sc_core::sc_spawn([this] { publish(); }, (name + "_publish").c_str(), &after_edge);
 }
 
 // Of the inputs that read one wire the first one stands for all.
@@ -118,9 +120,10 @@ void rtl_island::find_wires() {
   }
   std::map<std::string, const void*> by_name;
   for (auto* side : {&inputs_, &late_})
-    for (input& in : *side) {
-      in.wire = in.pin->contents();
-      by_name[wire_name(in.pin->port_name())] = place_of(in.wire);
+    for (const input& in : *side) {
+      const wire_contents wire = in.pin->contents();
+      (side == &late_ ? late_wires_ : prompt_wires_).add(wire, *in.rtl);
+      by_name[wire_name(in.pin->port_name())] = place_of(wire);
     }
   for (output& out : inner_) {
     out.wire = out.pin->contents();
@@ -128,8 +131,7 @@ void rtl_island::find_wires() {
     const sc_core::sc_object* channel = channel_of(*out.pin);
     out.is_inner = channel && channel->get_parent_object() == chip &&
                    read_outside.count(place_of(out.wire)) == 0;
-    if (const auto* bit = dynamic_cast<const wire<1>*>(channel))
-      out.rises = &const_cast<sc_core::sc_event&>(bit->posedge_event());
+    out.rises = dynamic_cast<const racebeam::wire<1>*>(channel);
   }
   for (const island_unit* unit : units_)
     for (const any_port* pin : ports_of(unit->module())) {
@@ -154,18 +156,10 @@ changed_ports rtl_island::changes_of(const std::vector<output>& outputs) {
   return changed_ports(ports);
 }
 
-bool rtl_island::take(input& in) {
-  const std::uint64_t now = in.wire.value();
-  if (now == in.last) return false;
-  in.last = now;
-  write(*in.rtl, now);
-  return true;
-}
-
 void rtl_island::settle() {
   if (!bound_) find_wires();
   bool moved = !std::exchange(settled_, true);
-  for (input& in : inputs_) moved |= take(in);
+  moved |= prompt_wires_.take();
   if (moved) library_.eval();
 }
 
@@ -188,12 +182,14 @@ void rtl_island::comb() {
 
 // At the edge others still read what the wires had before it.
 void rtl_island::seq() {
-  for (input& in : late_) take(in);
+  late_wires_.take();
   if (++edges_ % Checked == 0 && !late_.empty()) check_late();
   library_.rise();
   drive_outer();
-  edge_done_.notify(sc_core::SC_ZERO_TIME);
+  request_update();
 }
+
+void rtl_island::update() { publish(); }
 
 void rtl_island::drive_outer() {
   outer_changes_.visit(
@@ -203,7 +199,9 @@ void rtl_island::drive_outer() {
 void rtl_island::publish() {
   inner_changes_.visit([this](std::size_t n, std::uint64_t value) {
     put(inner_[n].wire, value);
-    if (value && inner_[n].rises) inner_[n].rises->notify();
+    if (!value || !inner_[n].rises) return;
+    if (sc_core::sc_event* rises = inner_[n].rises->*rising_event::of)
+      rises->notify(sc_core::SC_ZERO_TIME);
   });
 }
 

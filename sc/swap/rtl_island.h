@@ -16,6 +16,7 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/changed_ports.h"
+#include "sc/swap/followed_wires.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 
@@ -56,7 +57,7 @@ class island_unit {
   rtl_island* island_ = nullptr;
 };
 
-class rtl_island {
+class rtl_island : public sc_core::sc_prim_channel {
  public:
   /// Of units in a chip under construction, whose ports are bound. Throws RtlError: no plug-in, or
   /// one of other units or ports.
@@ -73,24 +74,22 @@ class rtl_island {
   struct input {
     any_port* pin;
     const rtl_port* rtl;
-    wire_contents wire{};
-    std::uint64_t last = 0;
   };
   struct output {
     any_port* pin;
     const rtl_port* rtl;
     wire_contents wire{};
-    bool is_inner = true;                // nobody outside reads the wire
-    sc_core::sc_event* rises = nullptr;  // of an inner wire of one bit
+    bool is_inner = true;                      // nobody outside reads the wire
+    const racebeam::wire<1>* rises = nullptr;  // an inner wire of one bit
   };
 
   void join(const std::vector<island_unit*>& units);
   void find_wires();
   void comb();
   void seq();
+  void update() override;
   void publish();
   static changed_ports changes_of(const std::vector<output>& outputs);
-  static bool take(input& in);
   void settle();
   void check_late();
   void drive_outer();
@@ -98,9 +97,9 @@ class rtl_island {
   rtl_library library_;
   const std::vector<island_unit*> units_;
   std::vector<input> inputs_, late_;
+  followed_wires prompt_wires_, late_wires_;  // of them, once the wires are known
   std::vector<output> inner_, outer_;
   changed_ports inner_changes_, outer_changes_;
-  sc_core::sc_event edge_done_;
   bool settled_ = false, bound_ = false;
   std::uint64_t edges_ = 0;
 };

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <stdarg.h>
+#include <stdint.h>
 
 extern "C" {
 
-/// A port of the top module. Its value lies in `bytes` bytes at `data`, upper bits 0.
+/// A port of the top module. Its value lies in `bytes` bytes at `data`, upper bits 0, of an object
+/// that fills whole words of eight bytes.
 struct rtl_port {
   const char* name;
   int bits, bytes, is_input;
@@ -25,6 +27,10 @@ struct rtl_model {
   int port_count;
   const rtl_port* signals;  ///< inside, by names such as "u_stacks.sp_i"; where they are public
   int signal_count;
+  /// Registers inside that can be written to, by names such as "u_stacks.sp_q"; few RTL has any.
+  const rtl_port* doors;
+  int door_count;
+  uint32_t* knock;  ///< bit N: the next eval() gives the register of door N what lies there
   /// Of the source, one a line, "KIND FILE:LINE NAME": `top` module; `file` read; `falling`: a
   /// register on the falling edge of the clock; `loop` that no constant ends; `call` of what
   /// reaches beyond the simulation; `circular` signal; `quiet` input, which reaches no output
@@ -33,7 +39,8 @@ struct rtl_model {
   void* top;
   void (*eval)(void* top);  ///< the inputs have changed
   /// A whole clock, from its rising edge on, of a module with a clock `clk_i` or `clk`; it alone
-  /// writes the clock's pin. nullptr: there is none.
+  /// writes the clock's pin. Inputs have what they had in the last eval(); quiet ones, what they
+  /// have now. nullptr: there is none.
   void (*rise)(void* top);
   void (*destroy)(rtl_model* model);
 };
@@ -49,6 +56,6 @@ struct rtl_host {
   void (*end)(rtl_end how, const char* file, int line, const char* message);
 };
 
-/// The one symbol of a plug-in, "rtl_make_2": a new instance. The number is that of this interface.
+/// The one symbol of a plug-in, "rtl_make_3": a new instance. The number is that of this interface.
 typedef rtl_model* (*rtl_maker)(const rtl_host* host);
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sc/base/constants.h"
+#include "sc/beam/chip_deposit.h"
 #include "sc/beam/engine.h"
 #include "tb/base/errors.h"
 #include "tb/base/forked.h"
@@ -56,6 +57,13 @@ FirstDifference first_of(const Replay& replay, const TrafficSource& source,
                            save_chip_window(d, {show, raster, frames}, replay.run.k, folder),
                            knobs_text(replay.run.k)});
   return first;
+}
+
+/// Of the whole chip.
+std::vector<std::string> deposited_registers() {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : chip_deposits(0, navigator_core())) names.push_back(name);
+  return names;
 }
 
 }  // namespace
@@ -134,7 +142,8 @@ Replay replay_of(const VerifyOptions& options, const Run& run, const std::string
   if (!whole) use.use(choices, as_model);  // there is such a unit
   if (head) expect_traffic(options.replay, *head, run, unit);
   if (word != as_model) use.lockstep(choices, word);
-  const std::string plugin = word == as_model ? ModelPlayer : choices.of(unit).plugin;
+  std::string plugin = word == as_model ? ModelPlayer : choices.of(unit).plugin;
+  if (word == run.show.engine().top) plugin = use.whole_chip(deposited_registers());
   return {options,
           run,
           word,

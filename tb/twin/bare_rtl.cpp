@@ -98,6 +98,12 @@ bool BareRtl::has(std::size_t port) const {
 }
 
 void BareRtl::deposit(const std::string& signal, std::uint64_t value) {
+  for (int n = 0; n < model().door_count; ++n)
+    if (signal == model().doors[n].name) {
+      settled_ = false;
+      *model().knock |= 1u << n;
+      return write(model().doors[n], value);
+    }
   for (int n = 0; n < model().signal_count; ++n)
     if (signal == model().signals[n].name) {
       settled_ = false;
@@ -152,9 +158,11 @@ PortTraffic BareRtl::answers(const PortTraffic& traffic,
   for (std::uint64_t clock = 0; clock < traffic.clocks(); ++clock) {
     if (const auto frame = seeks.find(clock); frame != seeks.end()) {
       hold("rst_ni", 0);
+      library_.eval();
       library_.rise();
       hold("rst_ni", 1);
       hold("frame_end_i", 1);
+      library_.eval();
       for (int n = 0; n < frame->second; ++n) library_.rise();
     }
     settle(traffic.row(clock));

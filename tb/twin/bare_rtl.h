@@ -65,7 +65,8 @@ class BareRtl {
   /// Those of the traffic.
   std::size_t ports() const { return ports_; }
 
-  /// Writes a register inside of RTL that was built with its signals, between clocks. Throws
+  /// Writes a register inside of RTL that was built with its signals, or with a door to it, between
+  /// clocks. Throws
   /// RtlError if there is none of this name.
   void deposit(const std::string& signal, std::uint64_t value);
 

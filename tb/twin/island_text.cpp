@@ -14,7 +14,6 @@ namespace racebeam {
 namespace {
 
 constexpr const char* IslandClock = "racebeam_clock";
-constexpr const char* Taken = "racebeam_taken";  ///< rises when the inputs are to be taken
 
 bool drives(const RtlSyntax::Port& port) { return port.direction != "input"; }
 
@@ -137,14 +136,12 @@ std::string island_text(const std::vector<IslandUnit>& units) {
   // Verilator evaluates what hangs on an input each time, and what hangs on a register when that
   // changes: so a clock does not pay for inputs that have not moved.
   std::string declared;
-  if (!inputs.empty()) {
-    ports += fmt::format(",\n  input wire {}", IslandTake);
-    declared = pulse(Taken, IslandTake, "");
-  }
+  if (!inputs.empty()) ports += fmt::format(",\n  input wire {}", IslandTake);
   for (const auto& [input, bits] : inputs) {
     ports += fmt::format(",\n  input wire [{}:0] {}", bits - 1, input);
-    declared += fmt::format("reg [{1}:0] {2} = 0;\nalways @(posedge {3}) {2} <= {0};\n", input,
-                            bits - 1, Wires::held(input), Taken);
+    declared +=
+        fmt::format("reg [{1}:0] {2} = 0;\nalways @(posedge {3} or negedge {3}) {2} <= {0};\n",
+                    input, bits - 1, Wires::held(input), IslandTake);
   }
   return fmt::format("module {} ({});\n{}{}endmodule\n", IslandTop, ports, declared, body);
 }

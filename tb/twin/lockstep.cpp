@@ -49,7 +49,7 @@ void Lockstep::remember() {
   std::vector<std::uint64_t>& row = history_[clocks_ % history_.size()];
   row.resize(rtl_.inputs().size() + 2 * rtl_.outputs().size());
   std::uint64_t* to = row.data();
-  for (const auto& in : rtl_.inputs()) *to++ = in.last;
+  for (const auto& in : rtl_.inputs()) *to++ = in.wire.value();
   for (const auto& out : rtl_.outputs()) {
     *to++ = out.wire.value();
     *to++ = out.rtl.read();

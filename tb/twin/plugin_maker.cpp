@@ -69,6 +69,13 @@ std::string PluginMaker::own(const std::string& unit, bool open) const {
   return rtl_plugin(own_rtl(unit, open));
 }
 
+std::string PluginMaker::with_doors(const std::string& unit,
+                                    const std::vector<std::string>& registers) const {
+  RtlSources sources = own_rtl(unit);
+  sources.doors = registers;
+  return rtl_plugin(sources);
+}
+
 RtlSources PluginMaker::own_rtl(const std::string& unit, bool open) const {
   expect_rtl_of(unit, {});
   RtlSources sources = own_sources(unit);

@@ -35,6 +35,8 @@ class PluginMaker {
   /// The plug-in of a unit's own RTL, verilated if need be. `open`: as if traced. Throws RtlError,
   /// MissingTool, Interrupted.
   std::string own(const std::string& unit, bool open = false) const;
+  /// The same, with registers inside that can be written to. Throws as own() does.
+  std::string with_doors(const std::string& unit, const std::vector<std::string>& registers) const;
   /// What that is made of. Throws as own() does.
   RtlSources own_rtl(const std::string& unit, bool open = false) const;
   /// A unit's own RTL as part of an island; `instance`: its name there.

@@ -40,6 +40,12 @@ class UseOption {
   /// lockstep. `all` has the whole chip too, where its RTL is this chip. Throws as use() does.
   void lockstep(unit_choices& choices, const std::string& text) const;
 
+  /// The plug-in of the whole chip's own RTL, in which these registers can be written to. Throws
+  /// RtlError, MissingTool.
+  std::string whole_chip(const std::vector<std::string>& registers) const {
+    return plugins_.with_doors(engine_.top, registers);
+  }
+
   /// Says why a unit is none of this chip. Throws UsageError unless it is one.
   void check_unit(const std::string& unit) const;
 

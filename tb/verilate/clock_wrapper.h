@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "tb/verilate/rtl_sources.h"
@@ -14,16 +15,29 @@ namespace racebeam {
 constexpr const char* Wrapper = "racebeam_wrapper";  ///< the module
 constexpr const char* Wrapped = "racebeam_wrapped";  ///< the instance in it
 constexpr const char* Tick = "racebeam_tick";        ///< its input in the place of the clock
-/// Of an island: its input that changes with others, which it takes then.
+/// Its input that changes with others, which it takes then: Verilator evaluates what hangs on an
+/// input each time, and what hangs on a register when that changes, so that a clock does not pay
+/// for inputs that have not moved.
 constexpr const char* Take = "racebeam_take";
 
 /// Whether `sources` want one: a whole chip, for the registers before its inputs, and what uses
 /// nothing but the rising edge of its clock.
 bool is_wrapped(const RtlSources& sources, const RtlSyntax& syntax);
 
+/// Before a number: its input with what a register gets that can be written to; and the input whose
+/// bit of that number says that it gets it.
+constexpr const char* Door = "racebeam_door_";
+constexpr const char* Knock = "racebeam_knock";
+
+/// The inputs that it takes. None of RTL that says something when an input moves, or of which
+/// something is counted.
+std::set<std::string> taken_inputs(const RtlSources& sources, const RtlSyntax& syntax,
+                                   const std::set<std::string>& quiet);
+
 /// Its text: the ports of the RTL, which gets its parameters here. If only rising edges matter,
 /// each change of Tick is a whole clock, in one evaluation; otherwise the clock is a port as it
 /// was.
-std::string clock_wrapper(const RtlSources& sources, const RtlSyntax& syntax);
+std::string clock_wrapper(const RtlSources& sources, const RtlSyntax& syntax,
+                          const std::set<std::string>& taken);
 
 }  // namespace racebeam

@@ -101,7 +101,7 @@ Elaborated elaborated(const RtlSources& sources) {
     if (!fs::is_regular_file(file)) throw UsageError("there is no file '" + file + "'");
   std::vector<std::string> settings = source_words(sources), candidates;
   settings.push_back(sources.top);
-  settings.push_back(verilator_version());
+  settings.push_back(verilator_version() + " --assert");
   for (const std::string& file : sources.files)
     candidates.push_back(fs::absolute(file).lexically_normal().string());
   for (const std::string& folder : searched_folders(sources))

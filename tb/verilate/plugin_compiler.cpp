@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Another one whenever the same sources shall become another plug-in.
-constexpr const char* Recipe = "6";
+constexpr const char* Recipe = "8";
 
-/// -O3 compiles for half as long again, and the RTL is no faster: Verilator has improved it
-/// already.
-constexpr const char* Level = "-O1";
+/// -O3 compiles for half as long again and is 3 % faster, -O1 13 % slower (the island of the whole
+/// beam).
+constexpr const char* Level = "-O2";
 
 constexpr const char* OfVerilator = "verilator-";  ///< names in the cache of what no RTL changes
 

@@ -28,14 +28,16 @@ class BehaviourReader {
   BehaviourReader(const SyntaxTree& tree, RtlSyntax& syntax) : tree_(tree), syntax_(syntax) {}
   void read() {
     walk(tree_.netlist(), [&](Node node) {
-      if (name_of(node) == "while") read_loop(node);
-      else read_call(node);
+      if (name_of(node) == "while") return read_loop(node);
+      read_call(node);
+      read_speech(node);
     });
   }
 
  private:
   void read_call(Node node);
   void read_loop(Node loop);
+  void read_speech(Node node);
 
   const SyntaxTree& tree_;
   RtlSyntax& syntax_;
@@ -68,6 +70,20 @@ void BehaviourReader::read_call(Node node) {
   const std::vector<Node> parts = children(node);
   if (std::all_of(parts.begin(), parts.end(), [](Node part) { return name_of(part) == "var"; }))
     syntax_.calls.push_back(tree_.place(node, attribute(node, "name")));
+}
+
+// An <always> with a <sentree> waits for an edge, an <initial> speaks once; a function, anywhere.
+void BehaviourReader::read_speech(Node node) {
+  static const std::set<std::string> Speech = {"display", "stop", "finish"};
+  if (Speech.count(name_of(node)) == 0) return;
+  static const std::set<std::string> Processes = {"always", "initial", "final"};
+  Node process = node->parent;
+  while (process != tree_.netlist() && Processes.count(name_of(process)) == 0)
+    process = process->parent;
+  if (name_of(process) == "initial" || name_of(process) == "final") return;
+  const bool anywhere = process == tree_.netlist();
+  const std::vector<Node> parts = anywhere ? std::vector<Node>() : children(process);
+  syntax_.speaks_between_edges |= parts.empty() || name_of(parts.front()) != "sentree";
 }
 
 // <while> before, condition, body: counted if a variable is compared with a constant and changed.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/verilate/rtl_plugin.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
@@ -80,9 +82,9 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
 
 /// What the glue is told of the RTL: all but texts, so that equal RTL elsewhere compiles to the
 /// same.
-std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
+std::string facts(const RtlSources& sources, const RtlSyntax& syntax, bool takes) {
   const bool wrapped = is_wrapped(sources, syntax);
-  bool has_tick = syntax.rising_only, has_take = false;  // or is an island, with its own
+  bool has_tick = syntax.rising_only, has_take = takes;  // or is an island, with its own
   std::string text = "#define RTL_PORTS";
   for (const RtlSyntax::Port& port : syntax.ports) {
     if (!is_plain(port.name)) continue;
@@ -96,6 +98,11 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax) {
   if (has_tick) text += std::string("#define RTL_TICK ") + Tick + "\n";
   else if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
   if (has_take) text += std::string("#define RTL_TAKE ") + Take + "\n";
+  if (!sources.doors.empty())
+    text += std::string("#define RTL_KNOCK ") + Knock + "\n#define RTL_DOORS";
+  for (std::size_t n = 0; n < sources.doors.size(); ++n)
+    text += fmt::format(" RTL_DOOR({}, {}{})", c_string(sources.doors[n]), Door, n);
+  text += "\n";
   if (sources.signals)
     text += "#define RTL_SIGNALS\n#define RTL_SCOPE " +
             (wrapped ? c_string(std::string(Wrapper) + "." + Wrapped) : "rtl_unit") + "\n";
@@ -143,9 +150,11 @@ void remove_classes(const WorkFolder& work) {
   for (const fs::path& file : classes) fs::remove(file);
 }
 
-/// Inputs that need not be seen before the edge. Whoever looks inside sees all of them at once.
+/// Inputs that need not be seen before the edge. Whoever looks or writes inside has all of them at
+/// once.
 std::set<std::string> late_inputs(const RtlSources& sources, const RtlSyntax& syntax) {
-  if (syntax.clock.empty() || sources.signals || sources.coverage) return {};
+  if (syntax.clock.empty() || sources.signals || sources.coverage || !sources.doors.empty())
+    return {};
   return quiet_inputs(sources);
 }
 
@@ -156,9 +165,11 @@ void make(RtlSources sources, const std::string& content, const std::string& out
   const RtlSyntax syntax = read_rtl_syntax(sources);
   const MakingLine line("verilating " + named(sources));
   const WorkFolder work;
-  const std::string known = facts(sources, syntax);
+  const std::set<std::string> quiet = late_inputs(whole, syntax);
+  const std::set<std::string> taken = taken_inputs(sources, syntax, quiet);
+  const std::string known = facts(sources, syntax, !taken.empty());
   if (is_wrapped(sources, syntax)) {
-    work.write("wrapper.sv", clock_wrapper(sources, syntax));
+    work.write("wrapper.sv", clock_wrapper(sources, syntax, taken));
     sources.files.push_back(work.file("wrapper.sv"));
     sources.top = Wrapper;
     sources.parameters.clear();
@@ -170,8 +181,8 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
-  compile_plugin(work, known, texts(syntax, whole.made_with, circular, late_inputs(whole, syntax)),
-                 sources.coverage, line.tick(), out);
+  compile_plugin(work, known, texts(syntax, whole.made_with, circular, quiet), sources.coverage,
+                 line.tick(), out);
 }
 
 }  // namespace
@@ -185,6 +196,7 @@ std::string rtl_plugin(const RtlSources& sources) {
                                                             : "signals",
                                       sources.coverage ? coverage_key() : "", compile_key()};
     parts.insert(parts.end(), sources.made_with.begin(), sources.made_with.end());
+    parts.insert(parts.end(), sources.doors.begin(), sources.doors.end());
     const std::string key = content_key(parts);
     try {
       return cached(key + ".so", [&](const std::string& out) { make(sources, content, out); });

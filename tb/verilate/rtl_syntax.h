@@ -35,6 +35,8 @@ struct RtlSyntax {
   std::string clock;                  ///< its input clk_i or clk; empty: it has none
   /// Nothing but rising edges of the clock is used, nowhere its level.
   bool rising_only = false;
+  /// Something is printed, or asserted, elsewhere than at an edge: as inputs move.
+  bool speaks_between_edges = false;
   std::vector<Place> falling;  ///< registers on the falling edge of the clock
   std::vector<Place> loops;    ///< loops that are not counted by a constant
   /// What reaches beyond the simulation: "$system", "$c", "$fopen", "$writememh", "`systemc_...",

@@ -123,9 +123,10 @@ std::vector<std::string> source_words(const RtlSources& sources) {
 }
 
 void write_rtl_xml(const RtlSources& sources, const std::string& work, const std::string& xml) {
-  run_verilator(sources,
-                {"--xml-only", "--xml-output", xml, "--Mdir", work, "--top-module", sources.top},
-                {});
+  run_verilator(
+      sources,
+      {"--xml-only", "--xml-output", xml, "--assert", "--Mdir", work, "--top-module", sources.top},
+      {});
 }
 
 std::string write_rtl_classes(const RtlSources& sources, const std::string& work, bool split,

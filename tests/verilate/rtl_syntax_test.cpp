@@ -269,6 +269,7 @@ TEST_F(RtlSyntaxTest, PluginWithSignalsHasThemByTheirPaths) {
   EXPECT_EQ(inside["past[1]"]->bits, 4);
   library.model().eval(library.model().top);
   set(rtl_port_of(library.model(), "d"), 9);
+  library.model().eval(library.model().top);
   for (int clock = 0; clock < 3; ++clock) library.model().rise(library.model().top);
   EXPECT_EQ(value(*inside["u_inner.q"]), 9);
   EXPECT_EQ(value(*inside["past[1]"]), 9);
