@@ -66,8 +66,7 @@ class BareRtl {
   std::size_t ports() const { return ports_; }
 
   /// Writes a register inside of RTL that was built with its signals, or with a door to it, between
-  /// clocks. Throws
-  /// RtlError if there is none of this name.
+  /// clocks. Throws RtlError if there is none of this name.
   void deposit(const std::string& signal, std::uint64_t value);
 
   /// Gives all signals inside any values, as registers have them at power-up; of RTL that was built

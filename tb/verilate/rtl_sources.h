@@ -24,8 +24,8 @@ struct RtlSources {
   bool marked_only = false;  ///< of signals those that the source marks, as Verilator has it
   /// "Name=value" of parameters that the files were made with and have no longer: gates.
   std::vector<std::string> made_with = {};
-  /// Registers inside that can be written to, by names such as "u_stacks.sp_q"; for RTL that has
-  /// nothing but rising edges. What it prints or asserts between edges is not heard then.
+  /// At most 32 registers inside that can be written to, by names such as "u_stacks.sp_q"; for RTL
+  /// that has nothing but rising edges. What it prints or asserts between edges is not heard then.
   std::vector<std::string> doors = {};
   bool coverage = false;  ///< it counts its lines, branches and toggling bits
 };

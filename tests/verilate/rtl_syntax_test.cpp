@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -120,6 +122,18 @@ TEST_F(RtlSyntaxTest, KnowsRtlThatUsesNothingButRisingEdges) {
                             "always_latch if (!clk_i) q = d;", "always @(clk_i) q = d;",
                             "wire gated = clk_i & d; always @(posedge gated) q <= d;"})
     EXPECT_FALSE(read(head + other + "\nendmodule\n").rising_only) << other;
+}
+
+TEST_F(RtlSyntaxTest, KnowsRtlThatSpeaksAsItsInputsMove) {
+  const std::string head = "module stacks (input clk_i, input d, output reg q);\n";
+  for (const char* at_edges :
+       {"always @(posedge clk_i) begin q <= d; $display(d); end", "initial $display(\"begun\");",
+        "final $display(\"done\");", "always @(posedge clk_i) assert (!d);"})
+    EXPECT_FALSE(read(head + at_edges + "\nendmodule\n").speaks_between_edges) << at_edges;
+  for (const char* between :
+       {"always_comb begin q = d; $display(d); end", "always_comb assert (d);",
+        "function tell(input a); $display(a); tell = a; endfunction\nassign q = tell(d);"})
+    EXPECT_TRUE(read(head + between + "\nendmodule\n").speaks_between_edges) << between;
 }
 
 TEST_F(RtlSyntaxTest, TellsLoopsThatNoConstantEnds) {
@@ -276,6 +290,28 @@ TEST_F(RtlSyntaxTest, PluginWithSignalsHasThemByTheirPaths) {
   set(*inside["past[1]"], 5);  // a deposit, seen by the logic behind it
   library.model().eval(library.model().top);
   EXPECT_EQ(value(rtl_port_of(library.model(), "o")), 5 ^ 9);
+}
+
+TEST_F(RtlSyntaxTest, ADoorWritesItsRegisterWithTheNextInputsAndNoOther) {
+  RtlSources some = sources(TwoRegisters);
+  some.doors = {"u_inner.q", "past[1]"};
+  const rtl_library library(rtl_plugin(some));
+  const rtl_model& model = library.model();
+  ASSERT_EQ(model.door_count, 2);
+  EXPECT_STREQ(model.doors[1].name, "past[1]");
+  const rtl_port& out = rtl_port_of(model, "o");
+  set(rtl_port_of(model, "d"), 3);
+  model.eval(model.top);
+  EXPECT_EQ(value(out), 3);
+  std::memcpy(model.doors[1].data, std::array<std::uint64_t, 1>{5}.data(), 8);
+  model.eval(model.top);
+  EXPECT_EQ(value(out), 3) << "nobody has knocked";
+  *model.knock = 1u << 1;
+  model.eval(model.top);
+  EXPECT_EQ(value(out), 5 ^ 3);
+  EXPECT_EQ(*model.knock, 0u);
+  for (int clock = 0; clock < 3; ++clock) model.rise(model.top);  // d is at past[1]
+  EXPECT_EQ(value(out), 3 ^ 3);
 }
 
 TEST_F(RtlSyntaxTest, EachRiseIsOneClockWithAndWithoutChangesBetween) {
