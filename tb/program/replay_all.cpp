@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -28,10 +29,10 @@
 #include "tb/base/output_file.h"
 #include "tb/base/progress.h"
 #include "tb/base/whole_file.h"
+#include "tb/program/replay_job.h"
 #include "tb/program/replay_part.h"
 #include "tb/program/replay_record.h"
 #include "tb/program/replay_source.h"
-#include "tb/program/replay_together.h"
 #include "tb/program/verify_report.h"
 #include "tb/twin/use_option.h"
 #include "tb/verilate/gate_netlist.h"
@@ -40,7 +41,7 @@ namespace racebeam {
 
 namespace {
 
-constexpr int MostFrames = 64, MostPictures = 4;  // of a part
+constexpr int MostFrames = 64, MostPictures = 1;  // of a part
 constexpr int LeastParts = 16;                    // if there are so many frames
 constexpr auto Pause = std::chrono::milliseconds(20);
 
@@ -87,7 +88,7 @@ class AllFramesReplay {
 
   /// Throws Interrupted: what is done is kept.
   std::vector<UnitVerdict> run() {
-    for (Unit& unit : units_) {
+    for (KeptUnit& unit : units_) {
       make_folder(unit.folder);
       unit.lock = std::make_unique<FileLock>(unit.folder);
       if (!unit.lock->take())
@@ -96,44 +97,26 @@ class AllFramesReplay {
                          "another folder with -o");
       expect_key(unit);
     }
-    std::vector<OpenPart> open;
-    for (const ReplayPart& part : parts_) {
-      OpenPart one{part, {}};
-      for (const Unit& unit : units_)
-        if (!read_part(unit.folder, part, unit.key)) one.units.push_back(&unit);
-      if (!one.units.empty()) open.push_back(one);
-    }
-    work(open);
+    work(open_jobs(units_, parts_, processes()));
     std::vector<UnitVerdict> verdicts;
-    for (const Unit& unit : units_) verdicts.push_back(sum(unit));
+    for (const KeptUnit& unit : units_) verdicts.push_back(sum(unit));
     if (!options_.record.empty()) record(verdicts);
     return verdicts;
   }
 
  private:
-  struct Unit {
-    Replay what;
-    TrafficHead head;
-    std::string key;     // of what is compared
-    std::string folder;  // of the parts
-    std::unique_ptr<FileLock> lock;
-  };
-  struct OpenPart {
-    ReplayPart part;
-    std::vector<const Unit*> units;
-  };
-
-  static void expect_key(const Unit& unit);
-  void work(const std::vector<OpenPart>& open);
-  static void do_part(const OpenPart& open, std::atomic<std::uint64_t>& compared);
-  static void do_alone(const Unit& unit, const ReplayPart& part,
-                       std::atomic<std::uint64_t>& compared);
-  UnitVerdict sum(const Unit& unit) const;
+  static void expect_key(const KeptUnit& unit);
+  std::size_t processes() const {
+    return options_.jobs > 0 ? static_cast<std::size_t>(options_.jobs)
+                             : std::max(1u, std::thread::hardware_concurrency());
+  }
+  void work(const std::vector<ReplayJob>& open);
+  UnitVerdict sum(const KeptUnit& unit) const;
   void record(const std::vector<UnitVerdict>& verdicts) const;
 
   const VerifyOptions& options_;
   const Run& run_;
-  std::vector<Unit> units_;
+  std::vector<KeptUnit> units_;
   const std::vector<ReplayPart> parts_;
 };
 
@@ -146,7 +129,7 @@ std::string other_line(const std::string& mine, const std::string& theirs) {
   return "text";
 }
 
-void AllFramesReplay::expect_key(const Unit& unit) {
+void AllFramesReplay::expect_key(const KeptUnit& unit) {
   const std::string path = unit.folder + "/replay.txt";
   if (!std::filesystem::exists(path)) return write_text(path, unit.key);
   const std::string there = whole_file(path);
@@ -157,44 +140,15 @@ void AllFramesReplay::expect_key(const Unit& unit) {
                   unit.folder, other_line(unit.key, there)));
 }
 
-// The units that say what the model says share the traffic; each other one tells how it differs.
-void AllFramesReplay::do_part(const OpenPart& open, std::atomic<std::uint64_t>& compared) {
-  std::vector<ReplayUnit> units;
-  for (const Unit* unit : open.units) units.push_back({&unit->what, &unit->head});
-  const auto verdicts =
-      replayed_together(units, open.part, [&](std::uint64_t clocks) { compared += clocks; });
-  for (std::size_t n = 0; n < units.size(); ++n) {
-    const Unit& unit = *open.units[n];
-    if (verdicts[n]) write_part(unit.folder, open.part, unit.key, *verdicts[n]);
-    else do_alone(unit, open.part, compared);
-  }
-}
-
-void AllFramesReplay::do_alone(const Unit& unit, const ReplayPart& part,
-                               std::atomic<std::uint64_t>& compared) {
-  std::string file;
-  const auto source = part_source(unit.what, unit.head, part, unit.folder, file);
-  std::uint64_t told = 0;
-  Replay what = unit.what;
-  what.captured = fmt::format("--first {} --frames {}", part.first, part.frames);
-  what.folder = unit.folder + "/" + std::filesystem::path(part.file()).stem().string();
-  const UnitVerdict verdict = replayed(what, *source, [&](std::uint64_t clocks) {
-    compared += clocks - told;
-    told = clocks;
-  });
-  if (!file.empty()) std::filesystem::remove(file);
-  write_part(unit.folder, part, unit.key, verdict);
-}
-
-// Each part in a process of its own, as many as there are to be.
-void AllFramesReplay::work(const std::vector<OpenPart>& open) {
+// Each job in a process of its own, as many as there are to be.
+void AllFramesReplay::work(const std::vector<ReplayJob>& open) {
   const auto start = std::chrono::steady_clock::now();
-  const std::size_t jobs = options_.jobs > 0 ? static_cast<std::size_t>(options_.jobs)
-                                             : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t jobs = processes();
   const auto frame_clocks = static_cast<std::int64_t>(run_.raster().frame_clocks());
   std::int64_t frames = 0;  // of all units
-  for (const OpenPart& one : open)
-    frames += one.part.frames * static_cast<std::int64_t>(one.units.size());
+  for (const ReplayJob& one : open)
+    for (const ReplayPart& part : one.parts)
+      frames += part.frames * static_cast<std::int64_t>(one.units.size());
   Progress progress(frames, "frames of units");
   SharedCount compared;
   std::map<pid_t, bool> running;
@@ -214,7 +168,7 @@ void AllFramesReplay::work(const std::vector<OpenPart>& open) {
       if (child < 0) throw MissingTool("there is no place for another process");
       if (child == 0) {
         const int code = guarded([&] {
-          do_part(open[next], *compared);
+          do_job(open[next], *compared);
           return 0;
         });
         std::fflush(nullptr);
@@ -250,13 +204,16 @@ void AllFramesReplay::work(const std::vector<OpenPart>& open) {
                       ": a process has ended early; what is done is kept, the same "
                       "command goes on");
   if (next < open.size()) {
+    std::set<int> left;  // their first frames
+    for (; next < open.size(); ++next)
+      for (const ReplayPart& part : open[next].parts) left.insert(part.first);
     tell(fmt::format("{}: {} of {} parts are not done after {} minutes; the same command goes on",
-                     options_.folder, open.size() - next, parts_.size(), options_.minutes));
+                     options_.folder, left.size(), parts_.size(), options_.minutes));
     throw Interrupted();
   }
 }
 
-UnitVerdict AllFramesReplay::sum(const Unit& unit) const {
+UnitVerdict AllFramesReplay::sum(const KeptUnit& unit) const {
   UnitVerdict all{unit.what.dut.unit, unit.what.traffic, 0, 0, 0, 0, {}, {}};
   for (const ReplayPart& part : parts_) {
     const auto one = read_part(unit.folder, part, unit.key);
@@ -281,7 +238,7 @@ void AllFramesReplay::record(const std::vector<UnitVerdict>& verdicts) const {
   if (frames < run_.show.frames()) run_text += fmt::format(" --frames {}", frames);
   std::vector<ReplayRow> rows;
   for (std::size_t n = 0; n < units_.size(); ++n) {
-    const Unit& unit = units_[n];
+    const KeptUnit& unit = units_[n];
     rows.push_back(replay_row(unit.head, unit.what.word, unit.key, frames, verdicts[n], run_text));
   }
   write_replay_record(options_.record, rows);

@@ -9,16 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "tb/program/replay_part.h"
-#include "tb/program/verify_replay.h"
+#include "tb/program/part_traffic.h"
 
 namespace racebeam {
-
-/// A unit, and what traffic of it is of.
-struct ReplayUnit {
-  const Replay* what;
-  const TrafficHead* head;
-};
 
 /// By unit, in a process of their own: the verdict of RTL that says what the model says. Nothing
 /// for one that differs or ends, for models, and for all if one takes the process with it: these

@@ -144,11 +144,14 @@ Replay replay_of(const VerifyOptions& options, const Run& run, const std::string
   if (word != as_model) use.lockstep(choices, word);
   std::string plugin = word == as_model ? ModelPlayer : choices.of(unit).plugin;
   if (word == run.show.engine().top) plugin = use.whole_chip(deposited_registers());
-  return {options,
-          run,
-          word,
-          {unit, plugin, run.k, run.show.tables(), run.show.frames()},
-          options.folder};
+  Replay replay{options,
+                run,
+                word,
+                {unit, plugin, run.k, run.show.tables(), run.show.frames()},
+                options.folder};
+  if (!whole && word.find('=') != std::string::npos)
+    replay.gates = use.gate_bits(unit, word.substr(word.find('=') + 1));
+  return replay;
 }
 
 int verify_replay(const VerifyOptions& options) {

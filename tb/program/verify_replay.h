@@ -25,6 +25,7 @@ struct Replay {
   UnitUnderTest dut;   ///< its plug-in, or ModelPlayer
   std::string folder;  ///< for waveforms
   std::string traffic = "replay";
+  std::string gates{};     ///< for ParallelGates, if they can be replayed in parallel
   std::string captured{};  ///< with these options of `racebeam capture`, if there is no file
 
   std::string repeat() const;

@@ -148,6 +148,10 @@ std::string PluginMaker::gates(const std::string& unit, const GateWord& word, bo
   return rtl_plugin(simulated_gates(gate_sources(unit, word), word.kind, traced_ || open));
 }
 
+std::string PluginMaker::gate_bits(const std::string& unit, const GateWord& word) const {
+  return racebeam::gate_bits(gate_sources(unit, word));
+}
+
 std::string make_chip_plugin(const std::string& top, const std::vector<std::string>& sources) {
   return rtl_plugin({top, sources, {}, {}, {}, {}, RtlSources::Chip, false});
 }

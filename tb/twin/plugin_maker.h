@@ -52,6 +52,8 @@ class PluginMaker {
   /// The plug-in of gates of a unit's own RTL or of a user's, made and verilated if need be; it
   /// tells what does not reach a user's. Throws as own() does.
   std::string gates(const std::string& unit, const GateWord& word, bool open = false) const;
+  /// The file of generic gates that ParallelGates reads. Throws as own() does.
+  std::string gate_bits(const std::string& unit, const GateWord& word) const;
   /// The gates themselves. Throws as own() does.
   GateNetlist netlist(const std::string& unit, const GateWord& word) const;
 

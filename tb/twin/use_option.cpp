@@ -120,6 +120,16 @@ void UseOption::use_one(unit_choices& choices, const std::string& text, bool bes
     choices.by_unit[engine_.top] = choice_of(engine_.top, how);
 }
 
+std::string UseOption::gate_bits(const std::string& unit, const std::string& how) const {
+  const auto gates = gate_word(how);
+  if (!gates || gates->kind != GenericGates) return "";
+  try {
+    return plugins_.gate_bits(unit, *gates);
+  } catch (const RtlError&) {
+    return "";
+  }
+}
+
 void UseOption::check_use_of_chip(const std::string& how, bool beside) const {
   if (how == "model" || how == "rtl" || (!beside && gate_word(how)))
     throw UsageError(fmt::format(

@@ -46,6 +46,11 @@ class UseOption {
     return plugins_.with_doors(engine_.top, registers);
   }
 
+  /// The file of a unit's gates that ParallelGates reads; empty if it cannot: the word is another,
+  /// or the gates have other registers than on the rising edge of a clock. Throws MissingTool,
+  /// Interrupted.
+  std::string gate_bits(const std::string& unit, const std::string& how) const;
+
   /// Says why a unit is none of this chip. Throws UsageError unless it is one.
   void check_unit(const std::string& unit) const;
 

@@ -56,23 +56,33 @@ std::string key_of(const RtlSources& rtl, const std::string& kind) {
 /// Before the netlist, as the script says it: "// stacks 86 506 18404".
 constexpr const char* Figures = "// ";
 
-void make(const RtlSources& rtl, const std::string& kind, const std::string& out) {
-  const MakingLine line("making gates of " + rtl.top + " (" + kind + ")");
+/// What the script says.
+std::string run_recipe(const RtlSources& rtl, std::vector<std::string> words,
+                       const std::string& what) {
+  const MakingLine line("making " + what);
   const WorkFolder work;
-  const std::string netlist = work.file("netlist.v");
-  std::vector<std::string> words = {recipe_file(), kind == Osu018Gates ? "--osu018" : "--gates",
-                                    rtl.top + "=" + fs::absolute(rtl.files.front()).string(),
-                                    netlist};
-  for (const std::string& setting : rtl.parameters) words.push_back(unquoted(setting));
+  words.insert(words.begin(), recipe_file());
   ToolResult result{};
   run_tools({{words, work.path(), {"TMPDIR=" + work.path()}, line.tick()}}, 1, Limit,
             [&result](std::size_t, const ToolResult& end) { result = end; });
   if (result.late)
-    throw RtlError("yosys has not made gates of " + rtl.top + " within " +
-                   std::to_string(Limit.count()) + " minutes");
+    throw RtlError("yosys has not made " + what + " within " + std::to_string(Limit.count()) +
+                   " minutes");
   if (!result.good) throw RtlError(rtl.files.front() + " does not become gates:\n" + result.said);
+  return result.said;
+}
+
+void make(const RtlSources& rtl, const std::string& kind, const std::string& out) {
+  const WorkFolder work;
+  const std::string netlist = work.file("netlist.v");
+  std::vector<std::string> words = {kind == Osu018Gates ? "--osu018" : "--gates",
+                                    rtl.top + "=" + fs::absolute(rtl.files.front()).string(),
+                                    netlist};
+  for (const std::string& setting : rtl.parameters) words.push_back(unquoted(setting));
+  const std::string said =
+      run_recipe(rtl, std::move(words), "gates of " + rtl.top + " (" + kind + ")");
   std::ofstream whole(out);
-  whole << Figures << result.said.substr(0, result.said.find('\n')) << '\n' << whole_file(netlist);
+  whole << Figures << said.substr(0, said.find('\n')) << '\n' << whole_file(netlist);
   whole.close();
   if (!whole) throw RtlError("cannot write " + out + "; is the disk full?");
 }
@@ -127,6 +137,15 @@ GateNetlist gate_netlist(const RtlSources& rtl, const std::string& kind) {
   if (!(in >> comment >> name >> netlist.flip_flops >> netlist.cells >> netlist.area))
     throw RtlError(netlist.file + " has no figures; delete it");
   return netlist;
+}
+
+std::string gate_bits(const RtlSources& rtl) {
+  const std::string netlist = gate_netlist(rtl, GenericGates).file;
+  const std::string key =
+      content_key({yosys_version(), file_key(recipe_file()), file_key(netlist), "bits"});
+  return cached(rtl.top + "-" + key + ".blif", [&](const std::string& out) {
+    run_recipe(rtl, {"--bits", rtl.top + "=" + netlist, out}, "bits of the gates of " + rtl.top);
+  });
 }
 
 RtlSources simulated_gates(const RtlSources& rtl, const std::string& kind, bool signals) {

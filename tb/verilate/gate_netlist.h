@@ -37,6 +37,11 @@ struct GateNetlist {
   double area = 0;  ///< square micrometres, without wires
 };
 
+/// A file in the cache with the generic gates of a module, as ParallelGates reads them. Throws
+/// RtlError, also if they have other registers than on the rising edge of a clock; MissingTool,
+/// Interrupted.
+std::string gate_bits(const RtlSources& rtl);
+
 /// Gates of a module in one file, with the project's packages and modules at hand, and with its
 /// parameters; made when first needed, again whenever a file that it reads, a parameter, a table,
 /// yosys, the recipe or the cells are others. A line on stderr says what takes the time. Throws

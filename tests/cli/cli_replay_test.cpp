@@ -126,6 +126,23 @@ TEST_F(CliReplayTest, AKilledReplayGoesOnWithThePartsThatAreDone) {
   EXPECT_EQ(std::filesystem::last_write_time(part("frames_00000_1.json")), written);
 }
 
+TEST_F(CliReplayTest, GatesOfManyPartsAreReplayedAtOnceAndAMistakeIsFound) {
+  const Words frames = {"--replay", "all", "--first", "0", "--frames", "9"};
+  const auto words = [&](const std::string& unit) {
+    Words all = {"verify", unit};
+    all.insert(all.end(), frames.begin(), frames.end());
+    return all;
+  };
+  const Json good = unit(words("stacks=gates"), 0);
+  EXPECT_EQ(good["clocks"], 9 * (FrameClocks + 1));
+  EXPECT_EQ(good["differences"], 0);
+  const std::string mine = mistaken(), file = mine.substr(mine.find('=') + 1);
+  const Json rtl = unit(words(mine), 1)["first"];
+  const Json gates = unit(words("stacks=gates:" + file), 1)["first"];
+  for (const char* key : {"port", "clock", "expected", "got"})
+    EXPECT_EQ(gates[key], rtl[key]) << key;
+}
+
 TEST_F(CliReplayTest, ADamagedPartIsComparedAgain) {
   const Words words = {"verify", "stacks", "--replay", "all", "--frames", "2"};
   EXPECT_EQ(unit(words, 0)["clocks"], 2 * (FrameClocks + 1));
