@@ -97,7 +97,13 @@ class AllFramesReplay {
                          "another folder with -o");
       expect_key(unit);
     }
-    work(open_jobs(units_, parts_, processes()));
+    const std::vector<ReplayJob> jobs = open_jobs(units_, parts_, processes());
+    for (KeptUnit& unit : units_)
+      if (std::any_of(jobs.begin(), jobs.end(), [&](const ReplayJob& job) {
+            return !job.in_parallel && std::count(job.units.begin(), job.units.end(), &unit) != 0;
+          }))
+        verilate(unit.what);
+    work(jobs);
     std::vector<UnitVerdict> verdicts;
     for (const KeptUnit& unit : units_) verdicts.push_back(sum(unit));
     if (!options_.record.empty()) record(verdicts);

@@ -46,6 +46,7 @@ UnitVerdict alone(const KeptUnit& unit, const ReplayPart& part,
   const auto source = part_source(unit.what, unit.head, part, unit.folder, file);
   std::uint64_t told = 0;
   Replay what = unit.what;
+  verilate(what);
   what.captured = fmt::format("--first {} --frames {}", part.first, part.frames);
   what.folder = unit.folder + "/" + std::filesystem::path(part.file()).stem().string();
   const UnitVerdict verdict = replayed(what, *source, [&](std::uint64_t clocks) {

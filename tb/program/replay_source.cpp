@@ -68,7 +68,8 @@ std::string replay_key(const Replay& what, const TrafficHead& head) {
                                 head.scene, head.scene_hash);
   for (const auto& [name, value] : head.knobs) key += fmt::format(" {}={}", name, value);
   return key + fmt::format("\nmodel {} {}\nRTL {}\n", head.program, model_hash(head.engine),
-                           rtl_hash(what.dut.plugin));
+                           what.gates.empty() ? rtl_hash(what.dut.plugin)
+                                              : content_hash(whole_file(what.gates)));
 }
 
 std::unique_ptr<TrafficSource> part_source(const Replay& what, const TrafficHead& head,

@@ -59,6 +59,8 @@ FirstDifference first_of(const Replay& replay, const TrafficSource& source,
   return first;
 }
 
+UseOption use_of(const Run& run) { return {run.show.engine(), run.k, run.show.tables()}; }
+
 /// Of the whole chip.
 std::vector<std::string> deposited_registers() {
   std::vector<std::string> names;
@@ -129,7 +131,7 @@ Replay replay_of(const VerifyOptions& options, const Run& run, const std::string
                  const TrafficHead* head) {
   const std::string unit = word.substr(0, word.find('='));
   const std::string as_model = unit + "=" + ModelPlayer;
-  const UseOption use(run.show.engine(), run.k, run.show.tables());
+  const UseOption use = use_of(run);
   unit_choices choices;
   const bool whole = unit == run.show.engine().top;
   if (whole &&
@@ -141,17 +143,25 @@ Replay replay_of(const VerifyOptions& options, const Run& run, const std::string
         (&run.show.engine() == &beam_engine() ? ", or it with --replay all" : std::string()));
   if (!whole) use.use(choices, as_model);  // there is such a unit
   if (head) expect_traffic(options.replay, *head, run, unit);
-  if (word != as_model) use.lockstep(choices, word);
-  std::string plugin = word == as_model ? ModelPlayer : choices.of(unit).plugin;
-  if (word == run.show.engine().top) plugin = use.whole_chip(deposited_registers());
-  Replay replay{options,
-                run,
-                word,
-                {unit, plugin, run.k, run.show.tables(), run.show.frames()},
-                options.folder};
-  if (!whole && word.find('=') != std::string::npos)
-    replay.gates = use.gate_bits(unit, word.substr(word.find('=') + 1));
-  return replay;
+  Replay what{
+      options,
+      run,
+      word,
+      {unit, word == as_model ? ModelPlayer : "", run.k, run.show.tables(), run.show.frames()},
+      options.folder};
+  if (options.replay == AllFrames && !whole && word.find('=') != std::string::npos)
+    what.gates = use.gate_bits(unit, word.substr(word.find('=') + 1));
+  if (what.gates.empty()) verilate(what);
+  return what;
+}
+
+void verilate(Replay& what) {
+  if (!what.dut.plugin.empty()) return;
+  const UseOption use = use_of(what.run);
+  unit_choices choices;
+  use.lockstep(choices, what.word);
+  what.dut.plugin = what.word == what.run.show.engine().top ? use.whole_chip(deposited_registers())
+                                                            : choices.of(what.dut.unit).plugin;
 }
 
 int verify_replay(const VerifyOptions& options) {

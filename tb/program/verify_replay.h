@@ -31,10 +31,13 @@ struct Replay {
   std::string repeat() const;
 };
 
-/// The unit that `word` means, verilated; `head`: whose traffic it must be, in a file of
-/// VerifyOptions::replay, or nullptr. Throws UsageError, RtlError, MissingTool.
+/// The unit that `word` means, verilated, unless it has Replay::gates; `head`: whose traffic it must
+/// be, in a file of VerifyOptions::replay, or nullptr. Throws UsageError, RtlError, MissingTool.
 Replay replay_of(const VerifyOptions& options, const Run& run, const std::string& word,
                  const TrafficHead* head);
+
+/// Verilates it if it is not yet. Throws RtlError, MissingTool.
+void verilate(Replay& what);
 
 /// In a process of its own: RTL may do anything. A difference is explained, and saved in the
 /// folder. `compared` is told in that process how many clocks are done. Throws RtlError,
