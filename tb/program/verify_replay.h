@@ -31,8 +31,9 @@ struct Replay {
   std::string repeat() const;
 };
 
-/// The unit that `word` means, verilated, unless it has Replay::gates; `head`: whose traffic it must
-/// be, in a file of VerifyOptions::replay, or nullptr. Throws UsageError, RtlError, MissingTool.
+/// The unit that `word` means, verilated, unless it has Replay::gates; `head`: whose traffic it
+/// must be, in a file of VerifyOptions::replay, or nullptr. Throws UsageError, RtlError,
+/// MissingTool.
 Replay replay_of(const VerifyOptions& options, const Run& run, const std::string& word,
                  const TrafficHead* head);
 
