@@ -89,15 +89,20 @@ void rtl_instance::edge() { library_.rise(); }
 void rtl_instance::follow() {
   const bool all = bind_wires();
   if (all) quiet_.take();
-  if (prompt_.take() || all) library_.eval();
+  if (prompt_.take() || all) {
+    rest_.end();
+    library_.eval();
+  }
   drive();
 }
 
 void rtl_instance::clock() {
-  quiet_.take();
+  const bool moved = quiet_.take();
+  if (moved) rest_.end();
+  if (rest_.now()) return library_.pass();
   if (++edges_ % Checked == 0 && !quiet_.empty()) check_quiet();
   library_.rise();
-  drive();
+  rest_.look(model(), drive() || moved);
 }
 
 // Its outputs drive what the other inputs have made of them.
@@ -112,8 +117,9 @@ bool rtl_instance::is_quiet(const any_port& pin) const {
                      [&pin](const joint& in) { return in.pin == &pin && in.quiet; });
 }
 
-void rtl_instance::drive() {
-  changes_.visit(
+/// Whether an output has moved.
+bool rtl_instance::drive() {
+  return changes_.visit(
       [this](std::size_t n, std::uint64_t value) { outputs_[n].pin->drive_wire(value); });
 }
 

@@ -14,6 +14,7 @@
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
+#include "sc/swap/rtl_rest.h"
 
 namespace racebeam {
 
@@ -79,7 +80,7 @@ class rtl_instance {
 
  private:
   bool bind_wires();
-  void drive();
+  bool drive();
   void check_quiet();
   value port(const std::string& name) const;
   const rtl_model& model() const { return library_.model(); }
@@ -88,6 +89,7 @@ class rtl_instance {
   std::vector<joint> inputs_, outputs_;
   followed_wires prompt_, quiet_;  // of the inputs, once the wires are known
   changed_ports changes_;          // of the outputs
+  rtl_rest rest_;
   std::uint64_t edges_ = 0;
   bool settled_ = false;  // the RTL has seen its inputs, and its outputs follow
   bool bound_ = false;    // the wires are known

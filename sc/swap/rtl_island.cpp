@@ -31,10 +31,15 @@ const void* place_of(const wire_contents& wire) {
   return wire.bit ? static_cast<const void*>(wire.bit) : wire.word;
 }
 
+/// Bits of a word that are known to fit.
+struct word_bits : sc_dt::sc_uint_base {
+  static constexpr auto of = &word_bits::m_val;
+};
+
 /// Writes a wire that no process waits for: the kernel need not know.
 void put(const wire_contents& wire, std::uint64_t value) {
   if (wire.bit) *const_cast<bool*>(wire.bit) = value != 0;
-  else *const_cast<sc_dt::sc_uint_base*>(wire.word) = value;
+  else const_cast<sc_dt::sc_uint_base*>(wire.word)->*word_bits::of = value;
 }
 
 /// The event of a rising edge, which a signal has from when somebody asks for it.
@@ -160,7 +165,9 @@ void rtl_island::settle() {
   if (!bound_) find_wires();
   bool moved = !std::exchange(settled_, true);
   moved |= prompt_wires_.take();
-  if (moved) library_.eval();
+  if (!moved) return;
+  rest_.end();
+  library_.eval();
 }
 
 // Its wires have what the other inputs have made of them.
@@ -182,22 +189,27 @@ void rtl_island::comb() {
 
 // At the edge others still read what the wires had before it.
 void rtl_island::seq() {
-  late_wires_.take();
+  moved_ = late_wires_.take();
+  if (moved_) rest_.end();
+  if (rest_.now()) return library_.pass();
   if (++edges_ % Checked == 0 && !late_.empty()) check_late();
   library_.rise();
-  drive_outer();
+  moved_ |= drive_outer();
   request_update();
 }
 
-void rtl_island::update() { publish(); }
+void rtl_island::update() {
+  moved_ |= publish();
+  rest_.look(library_.model(), moved_);
+}
 
-void rtl_island::drive_outer() {
-  outer_changes_.visit(
+bool rtl_island::drive_outer() {
+  return outer_changes_.visit(
       [this](std::size_t n, std::uint64_t value) { outer_[n].pin->drive_wire(value); });
 }
 
-void rtl_island::publish() {
-  inner_changes_.visit([this](std::size_t n, std::uint64_t value) {
+bool rtl_island::publish() {
+  return inner_changes_.visit([this](std::size_t n, std::uint64_t value) {
     put(inner_[n].wire, value);
     if (!value || !inner_[n].rises) return;
     if (sc_core::sc_event* rises = inner_[n].rises->*rising_event::of)
@@ -241,6 +253,7 @@ void rtl_island::private_edges(const std::string& instance, const input_values& 
   }
   write(own, 0);
   library_.eval();
+  rest_.end();
   drive_outer();
   publish();
 }

@@ -19,6 +19,7 @@
 #include "sc/swap/followed_wires.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
+#include "sc/swap/rtl_rest.h"
 
 namespace racebeam {
 
@@ -88,11 +89,11 @@ class rtl_island : public sc_core::sc_prim_channel {
   void comb();
   void seq();
   void update() override;
-  void publish();
+  bool publish();
   static changed_ports changes_of(const std::vector<output>& outputs);
   void settle();
   void check_late();
-  void drive_outer();
+  bool drive_outer();
 
   rtl_library library_;
   const std::vector<island_unit*> units_;
@@ -100,6 +101,8 @@ class rtl_island : public sc_core::sc_prim_channel {
   followed_wires prompt_wires_, late_wires_;  // of them, once the wires are known
   std::vector<output> inner_, outer_;
   changed_ports inner_changes_, outer_changes_;
+  rtl_rest rest_;
+  bool moved_ = false;  // something has, in this clock
   bool settled_ = false, bound_ = false;
   std::uint64_t edges_ = 0;
 };

@@ -62,6 +62,8 @@ class rtl_library {
     evaluate(model_->rise);
     ++clocks_;
   }
+  /// A clock that would change nothing.
+  void pass() { ++clocks_; }
 
  private:
   void evaluate(void (*step)(void*));

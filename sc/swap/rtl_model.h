@@ -42,6 +42,9 @@ struct rtl_model {
   /// writes the clock's pin. Inputs have what they had in the last eval(); quiet ones, what they
   /// have now. nullptr: there is none.
   void (*rise)(void* top);
+  /// Whether all that it holds, and what it has said, is as at the last call, before which a
+  /// rise() came: so the next one changes nothing if no input does. nullptr: that is not known.
+  int (*rests)(void* top);
   void (*destroy)(rtl_model* model);
 };
 
@@ -56,6 +59,6 @@ struct rtl_host {
   void (*end)(rtl_end how, const char* file, int line, const char* message);
 };
 
-/// The one symbol of a plug-in, "rtl_make_3": a new instance. The number is that of this interface.
+/// The one symbol of a plug-in, "rtl_make_4": a new instance. The number is that of this interface.
 typedef rtl_model* (*rtl_maker)(const rtl_host* host);
 }

@@ -14,7 +14,7 @@ void append(std::string& list, const std::string& item) {
 
 /// The clock rises with the tick, and falls by itself as soon as all registers have seen that.
 std::string pulse() {
-  const std::string seen = std::string(Tick) + "_q", clock = Clock;
+  const std::string seen = TickSeen, clock = Clock;
   return "reg " + seen + " = 0;\nwire " + clock + " = " + Tick + " ^ " + seen +
          ";\nalways @(posedge " + clock + ") " + seen + " <= " + Tick + ";\n";
 }

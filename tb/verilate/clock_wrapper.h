@@ -12,9 +12,10 @@
 
 namespace racebeam {
 
-constexpr const char* Wrapper = "racebeam_wrapper";  ///< the module
-constexpr const char* Wrapped = "racebeam_wrapped";  ///< the instance in it
-constexpr const char* Tick = "racebeam_tick";        ///< its input in the place of the clock
+constexpr const char* Wrapper = "racebeam_wrapper";     ///< the module
+constexpr const char* Wrapped = "racebeam_wrapped";     ///< the instance in it
+constexpr const char* Tick = "racebeam_tick";           ///< its input in the place of the clock
+constexpr const char* TickSeen = "racebeam_tick_seen";  ///< its register that follows it
 /// Its input that changes with others, which it takes then: Verilator evaluates what hangs on an
 /// input each time, and what hangs on a register when that changes, so that a clock does not pay
 /// for inputs that have not moved.

@@ -31,6 +31,7 @@ class BehaviourReader {
       if (name_of(node) == "while") return read_loop(node);
       read_call(node);
       read_speech(node);
+      read_state(node);
     });
   }
 
@@ -38,6 +39,7 @@ class BehaviourReader {
   void read_call(Node node);
   void read_loop(Node loop);
   void read_speech(Node node);
+  void read_state(Node node);
 
   const SyntaxTree& tree_;
   RtlSyntax& syntax_;
@@ -86,6 +88,26 @@ void BehaviourReader::read_speech(Node node) {
   syntax_.speaks_between_edges |= parts.empty() || name_of(parts.front()) != "sentree";
 }
 
+// What a function of the system gives may differ each time (not $time: it stands still); what a
+// variable without a fixed size holds does not lie in its place.
+void BehaviourReader::read_state(Node node) {
+  static const std::set<std::string> Moving = {
+      "rand",    "randrng", "urandomrange", "fopen", "fopenmcd",     "fgetc", "fgets",
+      "fungetc", "fscanf",  "fread",        "feof",  "ferror",       "ftell", "fseek",
+      "frewind", "fork",    "delay",        "wait",  "eventcontrol", "new",   "fireevent"};
+  static const std::set<std::string> Elsewhere = {"queuedtype",      "dynarraydtype",
+                                                  "assocarraydtype", "wildcardarraydtype",
+                                                  "classrefdtype",   "unsizedarraydtype"};
+  bool elsewhere = Moving.count(name_of(node)) != 0 || Elsewhere.count(name_of(node)) != 0;
+  if (name_of(node) == "var")
+    if (Node type = tree_.type_of(node)) {
+      const std::string name = attribute(type, "name");
+      elsewhere |= name_of(type) == "basicdtype" &&
+                   (name == "string" || name == "event" || name == "chandle");
+    }
+  syntax_.state_elsewhere |= elsewhere;
+}
+
 // <while> before, condition, body: counted if a variable is compared with a constant and changed.
 void BehaviourReader::read_loop(Node loop) {
   const std::vector<Node> parts = children(loop);
@@ -111,6 +133,7 @@ void BehaviourReader::read_loop(Node loop) {
 
 void read_behaviour(const SyntaxTree& tree, RtlSyntax& syntax) {
   BehaviourReader(tree, syntax).read();
+  syntax.state_elsewhere |= !syntax.calls.empty();
 }
 
 }  // namespace racebeam

@@ -96,6 +96,9 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax, bool takes
   }
   text += "\n";
   if (has_tick) text += std::string("#define RTL_TICK ") + Tick + "\n";
+  if (has_tick && !syntax.state_elsewhere)
+    text +=
+        fmt::format("#define RTL_SEEN {}__DOT__{}\n", wrapped ? Wrapper : sources.top, TickSeen);
   else if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
   if (has_take) text += std::string("#define RTL_TAKE ") + Take + "\n";
   if (!sources.doors.empty())

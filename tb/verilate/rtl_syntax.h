@@ -37,6 +37,8 @@ struct RtlSyntax {
   bool rising_only = false;
   /// Something is printed, or asserted, elsewhere than at an edge: as inputs move.
   bool speaks_between_edges = false;
+  /// Something lies elsewhere than in registers: random numbers, time, files, queues, processes.
+  bool state_elsewhere = false;
   std::vector<Place> falling;  ///< registers on the falling edge of the clock
   std::vector<Place> loops;    ///< loops that are not counted by a constant
   /// What reaches beyond the simulation: "$system", "$c", "$fopen", "$writememh", "`systemc_...",

@@ -7,52 +7,27 @@
 #include <gmock/gmock.h>
 
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <set>
 #include <string>
 
 #include "sc/swap/rtl_library.h"
-#include "tb/verilate/rtl_plugin.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/rtl_bench.h"
 
 namespace racebeam {
 namespace {
 
 using testing::HasSubstr;
 
-class RtlBench : public testing::Test {
+class RtlPowerUpTest : public RtlBench {
  protected:
-  /// A plug-in of the module mine with this body; its inputs are a_i and b_i, its output out_o.
-  std::string plugin(const std::string& body) {
-    std::ofstream(folder / "mine.sv") << "module mine (input wire logic clk_i,\n"
-                                         "  input wire logic [7:0] a_i, b_i,\n"
-                                         "  output logic [31:0] out_o);\n"
-                                      << body << "\nendmodule\n";
-    RtlSources sources;
-    sources.top = "mine";
-    sources.files = {folder / "mine.sv"};
-    return rtl_plugin(sources);
-  }
-  static void put(const rtl_library& rtl, const char* input, std::uint8_t value) {
-    *static_cast<std::uint8_t*>(rtl_port_of(rtl.model(), input).data) = value;
-  }
-  static std::uint32_t out(rtl_library& rtl) {
-    rtl.eval();
-    std::uint32_t value = 0;
-    std::memcpy(&value, rtl_port_of(rtl.model(), "out_o").data, sizeof value);
-    return value;
-  }
   static std::uint32_t powered(const std::string& plugin, rtl_power_up start) {
     const RtlPowerUp now(start);
     rtl_library rtl(plugin);
     return out(rtl);
   }
-
-  ScratchFolder folder;
 };
 
-TEST_F(RtlBench, RegistersPowerUpAsAsked) {
+TEST_F(RtlPowerUpTest, RegistersPowerUpAsAsked) {
   const std::string rtl =
       plugin("logic [31:0] q; always_ff @(posedge clk_i) q <= q + 32'(a_i); assign out_o = q;");
   EXPECT_EQ(powered(rtl, {RtlZeros, 0}), 0u);
@@ -67,14 +42,14 @@ TEST_F(RtlBench, RegistersPowerUpAsAsked) {
   EXPECT_EQ(out(usual), 0u) << "only while an RtlPowerUp lives";
 }
 
-TEST_F(RtlBench, WhatAnInitialBlockWritesIsNotRandom) {
+TEST_F(RtlPowerUpTest, WhatAnInitialBlockWritesIsNotRandom) {
   const std::string rtl = plugin(
       "logic [31:0] q = 32'd1234; always_ff @(posedge clk_i) q <= q + 32'(a_i); assign out_o = q;");
   for (const rtl_power_up start : {rtl_power_up{RtlOnes, 0}, rtl_power_up{RtlRandom, 5}})
     EXPECT_EQ(powered(rtl, start), 1234u);
 }
 
-TEST_F(RtlBench, TheClockCountsFromAnyPowerUp) {
+TEST_F(RtlPowerUpTest, TheClockCountsFromAnyPowerUp) {
   const std::string rtl =
       plugin("logic [31:0] q; always_ff @(posedge clk_i) q <= q + 32'(a_i); assign out_o = q;");
   for (int seed = 1; seed <= 10; ++seed) {
@@ -94,7 +69,7 @@ constexpr const char* Equal =
     "always_comb begin out_o = 0; assert (a_i == b_i) else $error(\"they differ\"); end\n"
     "logic seen; always_ff @(posedge clk_i) seen <= a_i[0];";
 
-TEST_F(RtlBench, InputsOnTheirWayFailNoAssertion) {
+TEST_F(RtlPowerUpTest, InputsOnTheirWayFailNoAssertion) {
   rtl_library mine(plugin(Equal));
   for (int clock = 0; clock < 4; ++clock) {
     put(mine, "a_i", static_cast<std::uint8_t>(clock));
@@ -105,7 +80,7 @@ TEST_F(RtlBench, InputsOnTheirWayFailNoAssertion) {
   }
 }
 
-TEST_F(RtlBench, SettledInputsFailTheAssertionAtTheEdge) {
+TEST_F(RtlPowerUpTest, SettledInputsFailTheAssertionAtTheEdge) {
   rtl_library mine(plugin(Equal));
   mine.eval();
   mine.rise();
@@ -120,7 +95,7 @@ TEST_F(RtlBench, SettledInputsFailTheAssertionAtTheEdge) {
   }
 }
 
-TEST_F(RtlBench, AssertionsWithoutAClockAreToldAtTheEndOfAClock) {
+TEST_F(RtlPowerUpTest, AssertionsWithoutAClockAreToldAtTheEndOfAClock) {
   rtl_library mine(plugin("always_comb begin out_o = 0; assert (a_i == b_i); end"));
   mine.eval();
   EXPECT_NO_THROW(mine.rise());
@@ -129,7 +104,7 @@ TEST_F(RtlBench, AssertionsWithoutAClockAreToldAtTheEndOfAClock) {
   EXPECT_THROW(mine.rise(), RtlFault);
 }
 
-TEST_F(RtlBench, PropertiesAreChecked) {
+TEST_F(RtlPowerUpTest, PropertiesAreChecked) {
   rtl_library mine(
       plugin("assign out_o = 0; assert property (@(posedge clk_i) a_i < 8'd3) else "
              "$error(\"three\");"));

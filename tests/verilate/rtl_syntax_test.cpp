@@ -136,6 +136,22 @@ TEST_F(RtlSyntaxTest, KnowsRtlThatSpeaksAsItsInputsMove) {
     EXPECT_TRUE(read(head + between + "\nendmodule\n").speaks_between_edges) << between;
 }
 
+TEST_F(RtlSyntaxTest, TellsWhetherAllStateIsInRegisters) {
+  const std::string head = "module stacks (input clk_i, input d, output reg [3:0] q);\n";
+  for (const char* registers :
+       {"always @(posedge clk_i) q <= q + 4'(d);", "always @(posedge clk_i) assert (!d);",
+        "reg [7:0] m [0:3]; always @(posedge clk_i) m[0] <= m[1];",
+        "always @(posedge clk_i) $display(\"%t %d\", $time, q);"})
+    EXPECT_FALSE(read(head + registers + "\nendmodule\n").state_elsewhere) << registers;
+  for (const char* elsewhere :
+       {"always @(posedge clk_i) q <= 4'($random);", "always @(posedge clk_i) q <= 4'($urandom);",
+        "int f[$]; always @(posedge clk_i) f.push_back(1);",
+        "string s; always @(posedge clk_i) s = {s, \"a\"};",
+        "import \"DPI-C\" function int getpid(); always @(posedge clk_i) q <= 4'(getpid());",
+        "integer f; initial f = $fopen(\"a\", \"r\"); always @(posedge clk_i) q <= 4'($fgetc(f));"})
+    EXPECT_TRUE(read(head + elsewhere + "\nendmodule\n").state_elsewhere) << elsewhere;
+}
+
 TEST_F(RtlSyntaxTest, TellsLoopsThatNoConstantEnds) {
   const RtlSyntax syntax = read(R"(module stacks (input clk_i, input [7:0] a_i, output reg [7:0] o);
     integer n, left;
