@@ -24,6 +24,7 @@
 #include "tb/speed/chip_rows.h"
 #include "tb/speed/engine_rows.h"
 #include "tb/speed/host_rows.h"
+#include "tb/speed/mix_rounds.h"
 #include "tb/speed/own_process.h"
 #include "tb/speed/sphere_rows.h"
 #include "tb/speed/store_rows.h"
@@ -92,12 +93,9 @@ void collect(const Json& rows, bool json, Json& all, const Base& base = {}) {
     all.push_back({{"name", label}, {"clocks_per_second", rate}});
     const double beside = base ? base(label, rate) : 0;
     if (beside > 0) all.back()["ratio"] = rate / beside;
-    if (row.contains("evaluations")) all.back()["evaluations_a_clock"] = row.at("evaluations");
     if (json) continue;
     print(fmt::format("{:<34} {:8.2f} M clocks/s", label, rate / 1e6));
     if (beside > 0) print(fmt::format("  {:5.2f}", rate / beside));
-    if (row.contains("evaluations"))
-      print(fmt::format("  {:5.2f} evaluations a clock", row.at("evaluations").get<double>()));
     print("\n");
   }
 }
@@ -110,7 +108,7 @@ constexpr const char* Sweep = "sweep";            // only if it is asked for: it
 constexpr const char* Tlm = "tlm: ";
 constexpr const char* Signal = "signal: ";
 constexpr const char* Verilated = "verilated: tt_um_racebeam";
-constexpr const char *AllRtl = "mix: all RTL", *BareTop = "mix: verilated top, without SystemC";
+constexpr const char* AllRtl = "mix: all RTL";
 constexpr double RealTime = 2 * PixelClockHz;  // clocks a second of the chip
 
 /// Clocks that are counted, and not measured.
@@ -199,9 +197,33 @@ std::string verdict(const Json& worst) {
       worst.at("of_signal").get<double>(), worst.at("of_verilated").get<double>());
 }
 
-std::string mixes_verdict(const Json& all) {
-  return fmt::format("all RTL has {:.2f} of the speed of the verilated top\n",
-                     rate_of(all, AllRtl) / rate_of(all, BareTop));
+/// Rows of mixes, with a bar over all runs.
+void run_mixes(const std::vector<ChipMix>& mixes, bool with_top, const BenchOptions& options,
+               Json& all) {
+  const int runs = (static_cast<int>(mixes.size()) + with_top) * options.repeats;
+  Progress progress(runs, "runs");
+  int done = 0;
+  const std::vector<MixRow> rows =
+      measure_mixes(mixes, with_top, options, [&] { progress.draw(++done, 0); });
+  progress.clear();
+  for (const MixRow& row : rows) {
+    all.push_back({{"name", row.name}, {"clocks_per_second", row.clocks_per_second}});
+    if (row.of_models > 0) all.back()["ratio"] = row.of_models;
+    if (row.evaluations_a_clock > 0) all.back()["evaluations_a_clock"] = row.evaluations_a_clock;
+    if (row.of_top > 0) all.back()["of_verilated"] = row.of_top;
+    if (options.json) continue;
+    print(fmt::format("{:<38} {:8.2f} M clocks/s", row.name, row.clocks_per_second / 1e6));
+    if (row.of_models > 0) print(fmt::format("  {:5.2f}", row.of_models));
+    if (row.evaluations_a_clock > 0)
+      print(fmt::format("  {:5.2f} evaluations a clock", row.evaluations_a_clock));
+    print("\n");
+  }
+}
+
+double all_rtl_of_verilated(const Json& all) {
+  for (const auto& row : all)
+    if (row.at("name") == AllRtl) return row.at("of_verilated");
+  return 0;
 }
 
 }  // namespace
@@ -254,17 +276,6 @@ int command_bench(const BenchOptions& options) {
       register_start(options.repeats);
       register_png(options);
     });
-  const auto add_mixes = [&](const std::vector<ChipMix>& mixes) {
-    const Base beside_models = beside_first();
-    for (const ChipMix& mix : mixes)
-      add(
-          1, [&options, mix] { register_mix(mix, options); }, beside_models);
-  };
-  if (wanted(Mixes)) {
-    add(1, [&] { register_verilated(BareTop, options.repeats, true); });
-    add_mixes(chip_mixes());
-  }
-  if (!options.rows.empty() && wanted(Neighbours)) add_mixes(neighbour_mixes());
   for (const unit_row& row : unit_table())
     if (wanted(row.name)) add(1, [&] { register_unit(row, options.repeats); });
 
@@ -278,7 +289,12 @@ int command_bench(const BenchOptions& options) {
     worst = slowest_tlm(all);
     if (!options.json) print(verdict(worst));
   }
-  if (wanted(Mixes) && !options.json) print(mixes_verdict(all));
+  if (wanted(Mixes)) run_mixes(chip_mixes(), true, options, all);
+  if (wanted(Mixes) && !options.json)
+    print(fmt::format("all RTL has {:.2f} of the speed of the verilated top\n",
+                      all_rtl_of_verilated(all)));
+  if (!options.rows.empty() && wanted(Neighbours))
+    run_mixes(neighbour_mixes(), false, options, all);
   std::map<std::string, Json> counted;
   for (const CountedRows& group : Counted) {
     if (!wanted(group.name) || (group.if_named && options.rows.empty())) continue;
@@ -295,8 +311,7 @@ int command_bench(const BenchOptions& options) {
                 {"frames", options.frames},
                 {"medians", all}};
     if (wanted(Levels)) report["slowest_tlm"] = worst;
-    if (wanted(Mixes))
-      report["all_rtl_of_verilated"] = rate_of(all, AllRtl) / rate_of(all, BareTop);
+    if (wanted(Mixes)) report["all_rtl_of_verilated"] = all_rtl_of_verilated(all);
     for (const auto& [name, rows] : counted) report[name] = rows;
     print(report.dump(2) + "\n");
   }
