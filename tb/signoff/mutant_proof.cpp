@@ -28,6 +28,11 @@ namespace {
 constexpr int Enumerated = 16;  // bits of an input whose values are all looked at
 constexpr int Samples = 4096;   // of wider ones
 constexpr const char* Miter = "racebeam_miter";
+// How a circuit is prepared. Where there are multipliers, scorr alone takes minutes, and a short
+// search without it finds most differences; &scorr and lcorr merge most of the rest in seconds.
+constexpr const char* AsItIs = "strash";
+constexpr const char* Swept = "strash; &get; &scorr -C 10; &put; lcorr -C 100";
+constexpr const char* SweptLong = "strash; scorr";
 constexpr const char* Lowering =
     "flatten\nmemory\nopt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
     "setundef -undriven -init -zero\naigmap\nopt_clean\n";
@@ -231,14 +236,18 @@ MutantProofs::Inputs MutantProofs::read_counterexample(const std::string& text) 
 
 MutantProof MutantProofs::prove(int number) const {
   if (!in_cache(key_of(number)).empty()) return {MutantProof::Equal, {}, ""};
-  // Where pdr is at a loss, a bounded search may still find a difference.
-  MutantProof proof = ask(number, {{"pdr", 0.75}, {"bmc3 -F 1000", 0.25}});
+  MutantProof proof = ask(number, {{AsItIs, "bmc3 -F 4", 0.1},
+                                   {Swept, "pdr", 0.3},
+                                   {SweptLong, "pdr", 0.4},
+                                   {Swept, "bmc3 -F 1000", 0.2}});
   if (proof.verdict == MutantProof::Equal)
     cached(key_of(number), [&](const std::string& out) { write_text(out, "equal\n"); });
   return proof;
 }
 
-MutantProof MutantProofs::refute(int number) const { return ask(number, {{"bmc3 -F 1000", 1}}); }
+MutantProof MutantProofs::refute(int number) const {
+  return ask(number, {{AsItIs, "bmc3 -F 4", 0.1}, {Swept, "bmc3 -F 1000", 0.9}});
+}
 
 MutantProof MutantProofs::ask(int number, const std::vector<Question>& questions) const {
   if (circuit_.empty()) return {MutantProof::Undecided, {}, "no proof was asked for"};
@@ -248,15 +257,16 @@ MutantProof MutantProofs::ask(int number, const std::vector<Question>& questions
   std::string said;
   const auto says = [&](const char* status) { return said.find(status) != std::string::npos; };
   for (const Question& question : questions) {
+    const int share = static_cast<int>(std::max(1.0, seconds * question.share));
     const ToolRun run{
         {"yosys-abc", "-q",
-         fmt::format("read_aiger miter.aig; strash; scorr; {} -T {}; print_status; "
-                     "write_cex -a counterexample",
-                     question.command, static_cast<int>(std::max(1.0, seconds * question.share)))},
+         fmt::format(
+             "read_aiger miter.aig; {}; {} -T {}; print_status; write_cex -a counterexample",
+             question.prepared, question.command, share)},
         work.path(),
         {},
         {}};
-    run_tools({run}, 1, proof_.limit + std::chrono::seconds(1),
+    run_tools({run}, 1, std::chrono::seconds(share + 1),
               [&](std::size_t, const ToolResult& end) { said = end.said; });
     if (says("Status = 1")) return {MutantProof::Equal, {}, ""};
     if (says("Status = 0")) break;

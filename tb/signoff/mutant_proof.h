@@ -52,8 +52,10 @@ class MutantProofs {
     int bit = -1;  // -1: none of them
   };
   using Inputs = std::vector<std::vector<std::uint64_t>>;
-  /// A command of yosys-abc, and its share of the time.
+  /// Commands of yosys-abc that prepare the circuit, one that decides, and both their share of the
+  /// time.
   struct Question {
+    const char* prepared;
     const char* command;
     double share;
   };
