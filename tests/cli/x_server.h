@@ -43,8 +43,10 @@ class XServer {
     pid_ = fork();
     if (pid_ == 0) {
       const std::string number = std::to_string(pipe_ends[1]);
+      // Without -noreset it refuses connections for a moment when its last client has gone: a
+      // viewer that starts again has no window then.
       execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", size.c_str(), "-fbdir",
-             folder_.path().c_str(), "-nolisten", "tcp", nullptr);
+             folder_.path().c_str(), "-nolisten", "tcp", "-noreset", nullptr);
       _exit(127);
     }
     close(pipe_ends[1]);
