@@ -31,7 +31,7 @@ LegalInputs block_inputs_of(const block_knobs& k) {
   };
   const auto always = [](int value) { return [value](Raw) { return static_cast<Raw>(value); }; };
   return LegalInputs({
-      {"float_i", mostly_kept},
+      {"float_i", mostly_kept, true},
       {"job_x_i", blocks_of(k.columns())},
       {"job_y_i", blocks_of(k.rows())},
       {"width_i", always(k.columns())},

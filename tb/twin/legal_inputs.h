@@ -15,22 +15,34 @@ namespace racebeam {
 
 class LegalInputs {
  public:
-  /// For inputs whose name begins with `start`: makes of any value one that the chip can have.
+  /// For inputs whose name begins with `start`: makes of any value one that the chip can have, or
+  /// one that it is likely to have; then the others are legal too.
   struct Rule {
     std::string start;
     std::function<std::uint64_t(std::uint64_t raw)> form;
+    bool likely = false;
   };
   /// The first rule that fits an input holds; without one it takes all values.
   explicit LegalInputs(std::vector<Rule> rules) : rules_(std::move(rules)) {}
 
-  /// `raw`, or the value made of it that the chip can have at the input `port`.
+  /// `raw`, or the value made of it by the rule of the input `port`.
   std::uint64_t of(const std::string& port, std::uint64_t raw) const {
-    for (const Rule& rule : rules_)
-      if (port.rfind(rule.start, 0) == 0) return rule.form(raw);
-    return raw;
+    const Rule* const rule = rule_of(port);
+    return rule ? rule->form(raw) : raw;
+  }
+  /// Whether the chip can have any value at the input `port`.
+  bool all_legal(const std::string& port) const {
+    const Rule* const rule = rule_of(port);
+    return !rule || rule->likely;
   }
 
  private:
+  const Rule* rule_of(const std::string& port) const {
+    for (const Rule& rule : rules_)
+      if (port.rfind(rule.start, 0) == 0) return &rule;
+    return nullptr;
+  }
+
   std::vector<Rule> rules_;
 };
 

@@ -29,14 +29,14 @@ LegalInputs voxel_inputs_of(const voxel_knobs& k) {
   constexpr int Way = 64 << VoxelPositionFraction, Step = 2 << VoxelPositionFraction;
   return LegalInputs({
       {"level_i", below(voxel_levels(k).count())},
-      {"rect_x_low_i", mostly_below(SmallRectangle)},
-      {"rect_y_low_i", mostly_below(SmallRectangle)},
-      {"rect_x_high_i", mostly_below(SmallRectangle)},
-      {"rect_y_high_i", mostly_below(SmallRectangle)},
-      {"origin_z_i", mostly_below(k.size_z << VoxelPositionFraction)},
-      {"t_from_i", mostly_below(Way)},
-      {"t_to_i", mostly_below(Way)},
-      {"step_i", mostly_below(Step)},
+      {"rect_x_low_i", mostly_below(SmallRectangle), true},
+      {"rect_y_low_i", mostly_below(SmallRectangle), true},
+      {"rect_x_high_i", mostly_below(SmallRectangle), true},
+      {"rect_y_high_i", mostly_below(SmallRectangle), true},
+      {"origin_z_i", mostly_below(k.size_z << VoxelPositionFraction), true},
+      {"t_from_i", mostly_below(Way), true},
+      {"t_to_i", mostly_below(Way), true},
+      {"step_i", mostly_below(Step), true},
       {"y_i", [](Raw raw) { return static_cast<Raw>(FirstLine) + raw % FrameLines; }},
   });
 }
