@@ -40,7 +40,7 @@ constexpr const char* Lowering =
 using Raw = std::uint64_t;
 
 Raw formed(const LegalInputs& legal, const PortTraffic::Port& port, Raw raw) {
-  return raw_bits(legal.of(port.name, raw_bits(raw, port.bits)), port.bits);
+  return raw_bits(legal.legal(port.name, raw_bits(raw, port.bits)), port.bits);
 }
 
 /// Ranges of the values that rules make.
@@ -144,8 +144,7 @@ bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<Raw>>& 
     for (const PortTraffic::Port& port : proof.ports.ports) {
       if (!port.input) continue;
       const Raw raw = row[n++];
-      if (reset_value(port.name) >= 0 || proof.legal.all_legal(port.name)) continue;
-      if (formed(proof.legal, port, raw) != raw) return false;
+      if (reset_value(port.name) < 0 && formed(proof.legal, port, raw) != raw) return false;
     }
   }
   return true;
@@ -154,7 +153,6 @@ bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<Raw>>& 
 }  // namespace
 
 std::string legal_condition(const LegalInputs& legal, const PortTraffic::Port& port) {
-  if (legal.all_legal(port.name)) return "";
   return port.bits <= Enumerated ? enumerated(legal, port) : narrowed(legal, port);
 }
 

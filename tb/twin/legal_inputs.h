@@ -30,10 +30,10 @@ class LegalInputs {
     const Rule* const rule = rule_of(port);
     return rule ? rule->form(raw) : raw;
   }
-  /// Whether the chip can have any value at the input `port`.
-  bool all_legal(const std::string& port) const {
+  /// `raw` if the chip can have it at the input `port`, or the value made of it by the rule.
+  std::uint64_t legal(const std::string& port, std::uint64_t raw) const {
     const Rule* const rule = rule_of(port);
-    return !rule || rule->likely;
+    return rule && !rule->likely ? rule->form(raw) : raw;
   }
 
  private:

@@ -143,7 +143,7 @@ void RandomTraffic::play_known() {
     UnitBench::Pin& pin = *input.pin;
     input.value = played_->at(clock_, n);
     pin.drive(input.reset >= 0 ? input.value
-                               : raw_bits(legal_.of(pin.name, input.value), pin.bits));
+                               : raw_bits(legal_.legal(pin.name, input.value), pin.bits));
   }
   if (++clock_ == until_) played_ = nullptr;
 }

@@ -200,7 +200,7 @@ void Shrinker::simplify(std::size_t input, std::vector<Edit>& edits) const {
     edits.push_back({input, from, from, to, port.rest});
     for (int bit = port.bits - 1; bit >= 0 && port.reset < 0; --bit) {
       const std::uint64_t less = value & ~(std::uint64_t{1} << bit);
-      if (less != value && raw_bits(legal_.of(port.name, less), port.bits) == less)
+      if (less != value && raw_bits(legal_.legal(port.name, less), port.bits) == less)
         edits.push_back({input, from, from, to, less});
     }
   }
