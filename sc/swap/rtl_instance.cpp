@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sc/swap/rtl_remarks.h"
+#include "sc/swap/wire_place.h"
 
 namespace racebeam {
 
@@ -47,6 +48,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
   changes_ = changed_ports(driven);
   const std::set<std::string> quiet = quiet_inputs_of(model());
   for (joint& in : inputs_) in.quiet = quiet.count(in.rtl.name()) != 0;
+  has_quiet_ = !quiet.empty();
   std::string other;
   for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), wanted))
     other += " " + parameter.name + "=" + std::to_string(parameter.value);
@@ -66,43 +68,63 @@ void rtl_instance::value::write(std::uint64_t value) const {
   }
 }
 
-/// Whether nothing is known of the inputs yet, or no more.
-bool rtl_instance::bind_wires() {
+/// Nothing is known of the inputs yet, or no more.
+void rtl_instance::begin() {
+  settled_ = true;
   if (!std::exchange(bound_, true)) {
     for (joint& out : outputs_) out.wire = out.pin->contents();
+    wires_.resize(static_cast<std::size_t>(model().port_count));
     for (joint& in : inputs_) {
       in.wire = in.pin->contents();
-      (in.quiet ? quiet_ : prompt_).add(in.wire, rtl_port_of(model(), in.rtl.name()));
+      const auto number = &rtl_port_of(model(), in.rtl.name()) - model().ports;
+      wires_.at(static_cast<std::size_t>(number)) = place_of(in.wire);
     }
   }
-  return !std::exchange(settled_, true);
 }
 
 void rtl_instance::settle() {
-  bool moved = bind_wires();
-  moved |= prompt_.take() | quiet_.take();
+  bool moved = !settled_;
+  if (moved) begin();
+  moved |= library_.take_prompt(wires_) | library_.take_quiet(wires_);
   if (moved) library_.eval();
 }
 
 void rtl_instance::edge() { library_.rise(); }
 
 void rtl_instance::follow() {
-  const bool all = bind_wires();
-  if (all) quiet_.take();
-  if (prompt_.take() || all) {
-    rest_.end();
-    library_.eval();
+  bool moved = !settled_;
+  if (moved) {
+    begin();
+    library_.copy_quiet(wires_);
   }
-  drive();
+  moved |= library_.take_prompt(wires_);
+  followed_ |= moved;
+  if (moved) rest_.end();
+  if (std::exchange(due_, false)) {
+    if (moved) library_.rise_and_eval();
+    else library_.rise();
+    rest_.look(model(), drive() || moved);
+  } else {
+    if (moved) library_.eval();
+    drive();
+  }
 }
 
-void rtl_instance::clock() {
-  const bool moved = quiet_.take();
-  if (moved) rest_.end();
-  if (rest_.now()) return library_.pass();
-  if (++edges_ % Checked == 0 && !quiet_.empty()) check_quiet();
+bool rtl_instance::clock() {
+  if (!rest_.now()) {
+    library_.copy_quiet(wires_);
+  } else if (library_.take_quiet(wires_)) {
+    rest_.end();
+  } else {
+    library_.pass();
+    return true;
+  }
+  if (++edges_ % Checked == 0 && has_quiet_) check_quiet();
+  due_ = std::exchange(followed_, false) && library_.can_rise_and_eval();
+  if (due_) return false;
   library_.rise();
-  rest_.look(model(), drive() || moved);
+  rest_.look(model(), drive());
+  return true;
 }
 
 // Its outputs drive what the other inputs have made of them.

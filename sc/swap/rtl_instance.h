@@ -10,7 +10,6 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/changed_ports.h"
-#include "sc/swap/followed_wires.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
@@ -32,11 +31,13 @@ class rtl_instance {
   /// One rising edge with the inputs of the last settle().
   void edge();
 
-  /// In a chip: what settle() does, and all outputs drive their wires; quiet inputs wait.
+  /// In a chip: the edge that is due; what settle() does; all outputs drive their wires; quiet
+  /// inputs wait.
   void follow();
-  /// In a chip: takes the quiet inputs; a rising edge; all outputs drive their wires. Throws
-  /// RtlFault too if an output follows from a quiet input, as is looked for now and then.
-  void clock();
+  /// In a chip: takes the quiet inputs, for a rising edge. Whether its outputs have driven their
+  /// wires; otherwise it is due, at once with the inputs that move after it. Throws RtlFault too if
+  /// an output follows from a quiet input, as is looked for now and then.
+  bool clock();
   /// Whether an input reaches no output before the next edge.
   bool is_quiet(const any_port& pin) const;
 
@@ -79,7 +80,7 @@ class rtl_instance {
   void deposit(const std::string& signal, std::uint64_t value);
 
  private:
-  bool bind_wires();
+  void begin();
   bool drive();
   void check_quiet();
   value port(const std::string& name) const;
@@ -87,12 +88,15 @@ class rtl_instance {
 
   rtl_library library_;
   std::vector<joint> inputs_, outputs_;
-  followed_wires prompt_, quiet_;  // of the inputs, once the wires are known
-  changed_ports changes_;          // of the outputs
+  std::vector<const void*> wires_;  // by the numbers of ports, once they are known
+  bool has_quiet_ = false;
+  changed_ports changes_;  // of the outputs
   rtl_rest rest_;
   std::uint64_t edges_ = 0;
-  bool settled_ = false;  // the RTL has seen its inputs, and its outputs follow
-  bool bound_ = false;    // the wires are known
+  bool settled_ = false;   // the RTL has seen its inputs, and its outputs follow
+  bool bound_ = false;     // the wires are known
+  bool due_ = false;       // an edge is
+  bool followed_ = false;  // since the last edge inputs have moved, as they may after the next one
 };
 
 }  // namespace racebeam

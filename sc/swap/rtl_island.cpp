@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sc/swap/rtl_remarks.h"
+#include "sc/swap/wire_place.h"
 
 namespace racebeam {
 
@@ -25,21 +26,6 @@ bool ends_with(const std::string& text, const std::string& end) {
 void write(const rtl_port& port, std::uint64_t value) {
   const std::uint64_t raw = raw_bits(value, port.bits);
   std::memcpy(port.data, &raw, static_cast<std::size_t>(port.bytes));
-}
-
-const void* place_of(const wire_contents& wire) {
-  return wire.bit ? static_cast<const void*>(wire.bit) : wire.word;
-}
-
-/// Bits of a word that are known to fit.
-struct word_bits : sc_dt::sc_uint_base {
-  static constexpr auto of = &word_bits::m_val;
-};
-
-/// Writes a wire that no process waits for: the kernel need not know.
-void put(const wire_contents& wire, std::uint64_t value) {
-  if (wire.bit) *const_cast<bool*>(wire.bit) = value != 0;
-  else const_cast<sc_dt::sc_uint_base*>(wire.word)->*word_bits::of = value;
 }
 
 /// The event of a rising edge, which a signal has from when somebody asks for it.
@@ -78,6 +64,7 @@ rtl_island::rtl_island(const std::string& name, const std::vector<island_unit*>&
   for (auto* process : {&on_inputs, &on_edge}) process->spawn_method();
   for (const input& in : inputs_)
     on_inputs.set_sensitivity(dynamic_cast<sc_core::sc_port_base*>(in.pin));
+  on_inputs.set_sensitivity(&due_event_);
   sc_core::sc_spawn([this] { comb(); }, (name + "_comb").c_str(), &on_inputs);
   on_edge.dont_initialize();
   on_edge.set_sensitivity(&clock_of(units).pos());
@@ -124,10 +111,11 @@ void rtl_island::find_wires() {
       if (pin->is_input()) read_outside.insert(place_of(pin->contents()));
   }
   std::map<std::string, const void*> by_name;
+  wires_.resize(static_cast<std::size_t>(library_.model().port_count));
   for (auto* side : {&inputs_, &late_})
     for (const input& in : *side) {
       const wire_contents wire = in.pin->contents();
-      (side == &late_ ? late_wires_ : prompt_wires_).add(wire, *in.rtl);
+      wires_.at(static_cast<std::size_t>(in.rtl - library_.model().ports)) = place_of(wire);
       by_name[wire_name(in.pin->port_name())] = place_of(wire);
     }
   for (output& out : inner_) {
@@ -161,13 +149,17 @@ changed_ports rtl_island::changes_of(const std::vector<output>& outputs) {
   return changed_ports(ports);
 }
 
-void rtl_island::settle() {
-  if (!bound_) find_wires();
+/// Whether an input has moved.
+bool rtl_island::settle() {
   bool moved = !std::exchange(settled_, true);
-  moved |= prompt_wires_.take();
-  if (!moved) return;
-  rest_.end();
-  library_.eval();
+  if (moved && !bound_) find_wires();
+  moved |= library_.take_prompt(wires_);
+  followed_ |= moved;
+  if (moved) rest_.end();
+  if (moved && due_) library_.rise_and_eval();
+  else if (moved) library_.eval();
+  else if (due_) library_.rise();
+  return moved;
 }
 
 // Its wires have what the other inputs have made of them.
@@ -182,17 +174,21 @@ void rtl_island::check_late() {
 }
 
 void rtl_island::comb() {
-  settle();
-  drive_outer();
-  publish();
+  moved_ |= settle();
+  moved_ |= drive_outer();
+  moved_ |= publish();
+  if (std::exchange(due_, false)) rest_.look(library_.model(), moved_);
 }
 
 // At the edge others still read what the wires had before it.
 void rtl_island::seq() {
-  moved_ = late_wires_.take();
-  if (moved_) rest_.end();
-  if (rest_.now()) return library_.pass();
+  moved_ = false;
+  if (!rest_.now()) library_.copy_quiet(wires_);
+  else if (library_.take_quiet(wires_)) rest_.end();
+  else return library_.pass();
   if (++edges_ % Checked == 0 && !late_.empty()) check_late();
+  due_ = std::exchange(followed_, false) && library_.can_rise_and_eval();
+  if (due_) return due_event_.notify(sc_core::SC_ZERO_TIME);
   library_.rise();
   moved_ |= drive_outer();
   request_update();

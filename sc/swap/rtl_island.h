@@ -16,7 +16,6 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/changed_ports.h"
-#include "sc/swap/followed_wires.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_rest.h"
@@ -91,19 +90,23 @@ class rtl_island : public sc_core::sc_prim_channel {
   void update() override;
   bool publish();
   static changed_ports changes_of(const std::vector<output>& outputs);
-  void settle();
+  bool settle();
   void check_late();
   bool drive_outer();
 
   rtl_library library_;
   const std::vector<island_unit*> units_;
   std::vector<input> inputs_, late_;
-  followed_wires prompt_wires_, late_wires_;  // of them, once the wires are known
+  std::vector<const void*> wires_;  // by the numbers of ports, once they are known
   std::vector<output> inner_, outer_;
   changed_ports inner_changes_, outer_changes_;
   rtl_rest rest_;
   bool moved_ = false;  // something has, in this clock
   bool settled_ = false, bound_ = false;
+  // An edge is due, at once with the inputs that move after it, when the others have had theirs.
+  bool due_ = false;
+  bool followed_ = false;  // since the last edge inputs have moved, as they may after the next one
+  sc_core::sc_event due_event_;
   std::uint64_t edges_ = 0;
 };
 

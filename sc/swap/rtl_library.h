@@ -54,12 +54,30 @@ class rtl_library {
   explicit rtl_library(const std::string& plugin);
   const rtl_model& model() const { return *model_; }
 
+  /// Copies what wires of the chip have to those inputs, by the numbers of ports. Whether one has
+  /// moved.
+  bool take_prompt(const std::vector<const void*>& wires) {
+    return model_->take_prompt(model_->top, wires.data()) != 0;
+  }
+  bool take_quiet(const std::vector<const void*>& wires) {
+    return model_->take_quiet(model_->top, wires.data()) != 0;
+  }
+  void copy_quiet(const std::vector<const void*>& wires) {
+    model_->copy_quiet(model_->top, wires.data());
+  }
   /// The inputs have changed. Throws RtlFault.
   void eval() { evaluate(model_->eval); }
   /// A whole clock; nothing without a clock. Throws RtlFault.
   void rise() {
     if (!model_->rise) return;
     evaluate(model_->rise);
+    ++clocks_;
+  }
+  /// Whether a clock and inputs that change after it can be had at once.
+  bool can_rise_and_eval() const { return model_->rise_and_eval != nullptr; }
+  /// Both. Throws RtlFault.
+  void rise_and_eval() {
+    evaluate(model_->rise_and_eval);
     ++clocks_;
   }
   /// A clock that would change nothing.

@@ -265,7 +265,7 @@ void run_rtl(const rtl_model& model, std::uint64_t clock, void (*step)(void*)) {
   now.model = &model;
   now.unit = model.unit;
   now.clock = clock;
-  now.settled = step == model.rise;
+  now.settled = step == model.rise || step == model.rise_and_eval;
   now.number = now.number + 1;
   bool whole = false;
   try {

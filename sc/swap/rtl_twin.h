@@ -24,6 +24,7 @@ class rtl_twin : public Unit::pins, public probed {
     for (any_port* port : ports_of(*this))
       if (port->port_name() != std::string("clk_i") && !rtl_.is_quiet(*port))
         port->sense(this->sensitive);
+    this->sensitive << due_;
     if constexpr (has_clock<typename Unit::pins>::value) {
       SC_METHOD(seq);
       this->sensitive << this->clk_i.pos();
@@ -56,9 +57,12 @@ class rtl_twin : public Unit::pins, public probed {
   struct has_clock<Pins, std::void_t<decltype(Pins::clk_i)>> : std::true_type {};
 
   void comb() { rtl_.follow(); }
-  void seq() { rtl_.clock(); }
+  void seq() {
+    if (!rtl_.clock()) due_.notify(sc_core::SC_ZERO_TIME);
+  }
 
   rtl_instance rtl_;
+  sc_core::sc_event due_;  // the others have had their edge too
 };
 
 }  // namespace racebeam

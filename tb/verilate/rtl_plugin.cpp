@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "sc/swap/rtl_island.h"
 #include "sc/swap/rtl_library.h"
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/clock_wrapper.h"
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int MostAttempts = 5;  // while sources change
+constexpr int MostBits = 64;     // of a wire of a chip
 
 /// A name that is the same in C++.
 bool is_plain(const std::string& name) {
@@ -80,9 +82,22 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
   return text;
 }
 
+/// From which wires an input takes its value: not the clock, and of an island nothing that a unit
+/// has apart.
+std::string how_taken(const RtlSyntax::Port& port, const RtlSyntax& syntax,
+                      const std::set<std::string>& quiet) {
+  const auto begins = [&port](const std::string& start) { return port.name.rfind(start, 0) == 0; };
+  const bool island = syntax.top.name == IslandTop;
+  if (port.direction != "input" || port.bits > MostBits || port.name == syntax.clock ||
+      port.name == Tick || port.name == Take || (island && (begins(OwnTick) || begins(OwnPins))))
+    return "RTL_APART";
+  return quiet.count(port.name) != 0 || (island && begins(IslandLate)) ? "RTL_QUIET" : "RTL_PROMPT";
+}
+
 /// What the glue is told of the RTL: all but texts, so that equal RTL elsewhere compiles to the
 /// same.
-std::string facts(const RtlSources& sources, const RtlSyntax& syntax, bool takes) {
+std::string facts(const RtlSources& sources, const RtlSyntax& syntax,
+                  const std::set<std::string>& quiet, bool takes) {
   const bool wrapped = is_wrapped(sources, syntax);
   bool has_tick = syntax.rising_only, has_take = takes;  // or is an island, with its own
   std::string text = "#define RTL_PORTS";
@@ -92,7 +107,8 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax, bool takes
     has_tick |= port.name == Tick;
     has_take |= port.name == Take;
     text += " RTL_PORT(" + port.name + ", " + (ticks ? Tick : port.name) + ", " +
-            std::to_string(port.bits) + ", " + (port.direction == "input" ? "1" : "0") + ")";
+            std::to_string(port.bits) + ", " + (port.direction == "input" ? "1" : "0") + ", " +
+            how_taken(port, syntax, quiet) + ")";
   }
   text += "\n";
   if (has_tick) text += std::string("#define RTL_TICK ") + Tick + "\n";
@@ -170,7 +186,7 @@ void make(RtlSources sources, const std::string& content, const std::string& out
   const WorkFolder work;
   const std::set<std::string> quiet = late_inputs(whole, syntax);
   const std::set<std::string> taken = taken_inputs(sources, syntax, quiet);
-  const std::string known = facts(sources, syntax, !taken.empty());
+  const std::string known = facts(sources, syntax, quiet, !taken.empty());
   if (is_wrapped(sources, syntax)) {
     work.write("wrapper.sv", clock_wrapper(sources, syntax, taken));
     sources.files.push_back(work.file("wrapper.sv"));

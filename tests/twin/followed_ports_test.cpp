@@ -10,7 +10,7 @@
 #include <random>
 
 #include "sc/swap/changed_ports.h"
-#include "sc/swap/followed_wires.h"
+#include "sc/swap/wire_place.h"
 
 namespace racebeam {
 namespace {
@@ -58,26 +58,17 @@ TEST_F(FollowedPortsTest, EachPortThatMovedIsToldOnceWithItsValue) {
   }
 }
 
-TEST_F(FollowedPortsTest, InputsHaveWhatTheWiresHaveAndAMoveIsTold) {
-  bool bit = false;
-  std::array<sc_dt::sc_uint_base, 5> words{{sc_dt::sc_uint_base(8), sc_dt::sc_uint_base(13),
-                                            sc_dt::sc_uint_base(32), sc_dt::sc_uint_base(64),
-                                            sc_dt::sc_uint_base(40)}};
-  followed_wires wires;
-  EXPECT_TRUE(wires.empty());
-  wires.add({&bit, nullptr}, table[0]);
-  for (std::size_t n = 0; n < words.size(); ++n) wires.add({nullptr, &words[n]}, table[n + 1]);
-  EXPECT_FALSE(wires.empty());
-  EXPECT_FALSE(wires.take()) << "all are 0";
-  for (int clock = 0; clock < 10000; ++clock) {
-    const std::size_t n = random() % table.size();
-    const std::uint64_t value = random() % 4 ? any_value(table[n]) : port_value(table[n]);
-    if (n == 0) bit = value != 0;
-    else words[n - 1] = value;
-    const bool moves = value != port_value(table[n]);
-    ASSERT_EQ(wires.take(), moves) << table[n].name << " at clock " << clock;
-    ASSERT_EQ(port_value(table[n]), value) << table[n].name;
-    ASSERT_FALSE(wires.take());
+TEST_F(FollowedPortsTest, AWireOfOneBitIsABoolAndAnotherAWholeWord) {
+  const bool bit = true;
+  EXPECT_TRUE(*static_cast<const bool*>(place_of({&bit, nullptr})));
+  for (int bits = 2; bits <= 64; ++bits) {
+    sc_dt::sc_uint_base word(bits);
+    word = random();
+    const wire_contents wire{nullptr, &word};
+    const auto* place = static_cast<const std::uint64_t*>(place_of(wire));
+    EXPECT_EQ(*place, word.value());
+    put(wire, 1);
+    EXPECT_EQ(*place, 1u);
   }
 }
 
