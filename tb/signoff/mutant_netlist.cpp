@@ -190,8 +190,9 @@ std::string reading_commands(const RtlSources& sources) {
                             yosys_value(parameter.substr(equals + 1)));
   }
   if (!settings.empty()) text += "\nchparam" + settings + " " + sources.top;
-  return text + fmt::format("\nhierarchy -check -top {0}{1}\nrename -top {0}\nproc\nflatten\nopt\n",
-                            sources.top, libraries);
+  return text +
+         fmt::format("\nhierarchy -check -top {0}{1}\nrename -top {0}\nproc -norom\nflatten\nopt\n",
+                     sources.top, libraries);
 }
 
 void run_yosys(const std::string& commands, const std::string& folder, const std::string& unit) {
