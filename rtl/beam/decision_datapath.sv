@@ -101,14 +101,13 @@ module decision_datapath #(
   localparam int LargestShift =
       CornerBits - 1 > CornerFactorBits ? CornerBits - 1 - CornerFactorBits : 0;
 
-  logic [racebeam_pkg::DepthBits-1:0] depth_q, depth_d;
-  logic [racebeam_pkg::LevelBits-1:0] level_q, level_d;
-  logic [RoomBits-1:0] room_q, room_d;
-  logic [CornerBits-1:0] corner_q[3], corner_d[3];
-  logic [1:0] face_q, face_d, hit_face_q, hit_face_d;
-  logic dom_q, dom_d, dom_prev_q, dom_prev_d;
-  logic wall_q, wall_d, second_q, second_d, descend_q;
-  logic [racebeam_pkg::PortalBits-1:0] portal_q, portal_d, back_q, back_d;  // 0: one portal a face
+  logic [racebeam_pkg::DepthBits-1:0] depth_q;
+  logic [racebeam_pkg::LevelBits-1:0] level_q;
+  logic [RoomBits-1:0] room_q;
+  logic [CornerBits-1:0] corner_q[3];
+  logic [1:0] face_q, hit_face_q;
+  logic dom_q, dom_prev_q, wall_q, second_q, descend_q;
+  logic [racebeam_pkg::PortalBits-1:0] portal_q, back_q;  // 0: one portal a face
   logic [3:0] shared, shared_entered;  // levels that need no decision, of this and the new room
 
   function automatic logic [1:0] axis_after(input logic [1:0] axis);
@@ -186,9 +185,9 @@ module decision_datapath #(
     factor_a = factor(corner_a[CornerBits-2:0], shift);
     factor_b = factor(corner_b[CornerBits-2:0], shift);
 
-    at_least = product(factor_a, ray_b) >= product(factor_b, ray_a);
-    if (corner_a[CornerBits-1]) at_least = 1'b0;
     if (corner_b[CornerBits-1]) at_least = 1'b1;
+    else if (corner_a[CornerBits-1]) at_least = 1'b0;
+    else at_least = product(factor_a, ray_b) >= product(factor_b, ray_a);
   end
 
   assign dec_o = {dr[2][DrBits-1], dr[1][DrBits-1], dr[0][DrBits-1], at_least ^ inverted};
@@ -240,175 +239,198 @@ module decision_datapath #(
   wire logic [2:0] rounded = target_depth == depth_q && target == even_level ? level_q : even_level;
   wire logic [2:0] face_axis = 3'b001 << face_q;
 
-  logic [2:0] negate, add_s, subtract_s, add_r, subtract_r, near_axes, near_next;
-  logic leave_room, arrive, change_corner, corner_down, corner_up, twice, to_neighbour;
+  wire logic at_camera = root || (nav_line_i && nav_op_i == racebeam_pkg::CornerCamera);
+  wire logic add_velocity = nav_line_i && nav_op_i == racebeam_pkg::CornerAddVelocity;
+  wire logic forget_wall = state_i == racebeam_pkg::StateReturn && !go_down;
 
-  always_comb begin
-    {negate, add_s, subtract_s, add_r, subtract_r} = '0;
-    {leave_room, arrive, change_corner, corner_down, corner_up, to_neighbour} = '0;
-    depth_d = depth_q;
-    level_d = level_q;
-    {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
-    {portal_d, back_d} = {portal_q, back_q};
-    second_d = 1'b0;
-    wall_d = wall_q && !(state_i == racebeam_pkg::StateReturn && !go_down);
-    hit_face_d = hit_face_q;
+  // All that follows counts at the edge only, and is written so that a simulator need not look at
+  // it before.
+  always_ff @(posedge clk_i) begin : move
+    logic [racebeam_pkg::DepthBits-1:0] depth_d;
+    logic [racebeam_pkg::LevelBits-1:0] level_d;
+    logic [CornerBits-1:0] corner_d[3];
+    logic [1:0] face_d, hit_face_d;
+    logic dom_d, dom_prev_d, wall_d, second_d;
+    logic [racebeam_pkg::PortalBits-1:0] portal_d, back_d;
+    logic [2:0] negate, add_s, subtract_s, add_r, subtract_r, near_axes, near_next;
+    logic leave_room, arrive, change_corner, corner_down, corner_up, twice, to_neighbour;
+    logic [CornerBits-1:0] camera[3], velocity[3], half_size[3], position[3];
+    logic [CornerBits-1:0] size_term[3], position_term[3], nudge[3];
 
-    if (go_down) begin
-      if (level_q == 3'd7 && second_q) begin  // a room is entered: second half
-        level_d = next_test(3'd0, shared_entered);
-        depth_d = depth_q + 1'b1;
-        arrive = 1'b1;
-        if (deepest) wall_d = 1'b1;
-      end else if (level_q == 3'd7) begin  // first half
-        if (!solid) begin
+    descend_q <= descend_i;
+    second_q <= 1'b0;
+    if (forget_wall) wall_q <= 1'b0;
+    if (!SeveralPortals) {portal_q, back_q} <= '0;
+    if (root || nav_line_i || go_down || climb_i) begin
+      {negate, add_s, subtract_s, add_r, subtract_r} = '0;
+      {leave_room, arrive, change_corner, corner_down, corner_up, to_neighbour} = '0;
+      depth_d = depth_q;
+      level_d = level_q;
+      {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
+      {portal_d, back_d} = {portal_q, back_q};
+      second_d = 1'b0;
+      wall_d = wall_q && !forget_wall;
+      hit_face_d = hit_face_q;
+
+      if (go_down) begin
+        if (level_q == 3'd7 && second_q) begin  // a room is entered: second half
+          level_d = next_test(3'd0, shared_entered);
+          depth_d = depth_q + 1'b1;
+          arrive = 1'b1;
+          if (deepest) wall_d = 1'b1;
+        end else if (level_q == 3'd7) begin  // first half
+          if (!solid) begin
+            second_d = 1'b1;
+            face_d = new_face;
+            portal_d = '0;
+            back_d = back_i;
+            leave_room = 1'b1;
+            to_neighbour = 1'b1;
+          end
+          if (solid || deepest) wall_d = 1'b1;
+        end else if (level_q == 3'd6) begin
+          {dom_prev_d, dom_d} = {dom_q, cur_i[0]};
+          level_d = 3'd7;
+        end else if (depth_q == '0 && level_q == 3'd2) begin
+          level_d = 3'd6;
+          {negate, add_s} = {cur_i[3:1], 3'b111};
+          {corner_up, corner_down} = {!cur_i[3], cur_i[3]};
+        end else if (depth_q == '0 || level_q[2]) begin
+          level_d = level_q + 1'b1;
+        end else if (SeveralPortals && second_q) begin  // behind the next portal
+          arrive = 1'b1;
+        end else if (SeveralPortals && cur_i[0] && !solid) begin  // past the edge of a portal
+          level_d = 3'd0;
           second_d = 1'b1;
-          face_d = new_face;
-          portal_d = '0;
+          portal_d = portal_q + 1'b1;
           back_d = back_i;
           leave_room = 1'b1;
           to_neighbour = 1'b1;
+        end else begin
+          level_d = next_test(level_q + 1'b1, shared);
+          wall_d = cur_i[0];
+          change_corner = 1'b1;
         end
-        if (solid || deepest) wall_d = 1'b1;
-      end else if (level_q == 3'd6) begin
-        {dom_prev_d, dom_d} = {dom_q, cur_i[0]};
-        level_d = 3'd7;
-      end else if (depth_q == '0 && level_q == 3'd2) begin
-        level_d = 3'd6;
-        {negate, add_s} = {cur_i[3:1], 3'b111};
-        {corner_up, corner_down} = {!cur_i[3], cur_i[3]};
-      end else if (depth_q == '0 || level_q[2]) begin
-        level_d = level_q + 1'b1;
-      end else if (SeveralPortals && second_q) begin  // behind the next portal
-        arrive = 1'b1;
-      end else if (SeveralPortals && cur_i[0] && !solid) begin  // past the edge of a portal
-        level_d = 3'd0;
-        second_d = 1'b1;
-        portal_d = portal_q + 1'b1;
-        back_d = back_i;
-        leave_room = 1'b1;
-        to_neighbour = 1'b1;
-      end else begin
-        level_d = next_test(level_q + 1'b1, shared);
-        wall_d = cur_i[0];
-        change_corner = 1'b1;
+        if (wall_d && !wall_q) hit_face_d = level_q == 3'd7 && !second_q ? new_face : face_q;
+      end else if (climb_i) begin
+        if (level_q == 3'd7 && (target_depth != depth_q || !second_q || to_previous))
+          dom_d = dom_prev_q;
+        if (target_depth != depth_q) begin  // leave a room
+          depth_d = depth_q - 1'b1;
+          level_d = 3'd7;
+          second_d = 1'b1;
+          to_neighbour = 1'b1;
+          {face_d, dom_prev_d} = {popped_face, fread_i[0]};
+          {back_d, portal_d} = fread_i[racebeam_pkg::FaceBits+:2*racebeam_pkg::PortalBits];
+          leave_room = !second_q;
+        end else if (to_previous) begin  // for the one behind the portal before
+          level_d = 3'd0;
+          second_d = 1'b1;
+          portal_d = portal_q - 1'b1;
+          back_d = back_i;
+          to_neighbour = 1'b1;
+          leave_room = !second_q;
+        end else if (second_q) begin
+          level_d = target;
+          if (level_q == 3'd7 && target != 3'd7) dom_d = dom_prev_q;
+          if (depth_q == '0 && !target[2]) {negate, add_r} = {ray_signs_i, 3'b111};
+          else arrive = 1'b1;
+        end else if (depth_q == '0 && rounded == 3'd6) begin  // to the root
+          level_d = 3'd2;
+          {negate, add_s, subtract_s} = {ray_signs_i, ray_signs_i, ~ray_signs_i};
+          {corner_up, corner_down} = {ray_signs_i[2], !ray_signs_i[2]};
+        end else begin  // within the room
+          level_d = rounded - 1'b1;
+          if (rounded == 3'd6) level_d = target[2:1] == 2'd1 ? 3'd3 : 3'd1;
+          if (!target[0]) level_d[0] = 1'b0;
+          change_corner = depth_q != '0 && (rounded == 3'd2 || rounded == 3'd6);
+        end
       end
-      if (wall_d && !wall_q) hit_face_d = level_q == 3'd7 && !second_q ? new_face : face_q;
-    end else if (climb_i) begin
-      if (level_q == 3'd7 && (target_depth != depth_q || !second_q || to_previous))
-        dom_d = dom_prev_q;
-      if (target_depth != depth_q) begin  // leave a room
-        depth_d = depth_q - 1'b1;
-        level_d = 3'd7;
-        second_d = 1'b1;
-        to_neighbour = 1'b1;
-        {face_d, dom_prev_d} = {popped_face, fread_i[0]};
-        {back_d, portal_d} = fread_i[racebeam_pkg::FaceBits+:2*racebeam_pkg::PortalBits];
-        leave_room = !second_q;
-      end else if (to_previous) begin  // for the one behind the portal before
-        level_d = 3'd0;
-        second_d = 1'b1;
-        portal_d = portal_q - 1'b1;
-        back_d = back_i;
-        to_neighbour = 1'b1;
-        leave_room = !second_q;
-      end else if (second_q) begin
-        level_d = target;
-        if (level_q == 3'd7 && target != 3'd7) dom_d = dom_prev_q;
-        if (depth_q == '0 && !target[2]) {negate, add_r} = {ray_signs_i, 3'b111};
-        else arrive = 1'b1;
-      end else if (depth_q == '0 && rounded == 3'd6) begin  // to the root
+
+      // Corners: far ones are a half size beyond the centre, near ones before it.
+      near_axes = near(level_q[2:1], face_axis);
+      near_next = near(level_d[2:1], face_axis);
+      twice = change_corner;
+      if (leave_room) begin
+        {add_r, subtract_r} = {ray_signs_i, ~ray_signs_i};
+        {add_s, subtract_s} = {near_axes, ~near_axes};
+      end
+      if (arrive) begin
+        {add_r, subtract_r} = {~ray_signs_i, ray_signs_i};
+        {add_s, subtract_s} = {~near_next, near_next};
+      end
+      if (change_corner) {add_s, subtract_s} = {near_axes & ~near_next, near_next & ~near_axes};
+
+      if (nav_line_i) begin  // the navigator's
+        {negate, add_s, subtract_s, add_r, subtract_r} = '0;
+        twice = nav_op_i == racebeam_pkg::CornerSubtract2S;
+        to_neighbour = nav_move_i;
+        case (nav_op_i)
+          racebeam_pkg::CornerAddS: add_s = '1;
+          racebeam_pkg::CornerSubtract2S: subtract_s = '1;
+          racebeam_pkg::CornerLeavePlus: {subtract_s, subtract_r} = '1;
+          racebeam_pkg::CornerLeaveMinus: {add_s, subtract_r} = '1;
+          racebeam_pkg::CornerAddR: add_r = '1;
+          default: ;
+        endcase
+      end
+
+      if (root) begin
+        depth_d = '0;
         level_d = 3'd2;
-        {negate, add_s, subtract_s} = {ray_signs_i, ray_signs_i, ~ray_signs_i};
-        {corner_up, corner_down} = {ray_signs_i[2], !ray_signs_i[2]};
-      end else begin  // within the room
-        level_d = rounded - 1'b1;
-        if (rounded == 3'd6) level_d = target[2:1] == 2'd1 ? 3'd3 : 3'd1;
-        if (!target[0]) level_d[0] = 1'b0;
-        change_corner = depth_q != '0 && (rounded == 3'd2 || rounded == 3'd6);
+        {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
+        {wall_d, second_d, portal_d, back_d} = '0;
+        hit_face_d = hit_face_q;
       end
+
+      // The corner adders.
+      camera[0] = CornerBits'(nav_position_x_i);
+      camera[1] = CornerBits'(nav_position_y_i);
+      camera[2] = CornerBits'(nav_position_z_i);
+      velocity[0] = CornerBits'(velocity_x_i);
+      velocity[1] = CornerBits'(velocity_y_i);
+      velocity[2] = CornerBits'(velocity_z_i);
+      half_size[0] = CornerBits'(half_size_x_i);
+      half_size[1] = CornerBits'(half_size_y_i);
+      half_size[2] = CornerBits'(half_size_z_i);
+      position[0] = CornerBits'(position_x_i);
+      position[1] = CornerBits'(position_y_i);
+      position[2] = CornerBits'(position_z_i);
+
+      nudge[0] = '0;
+      nudge[1] = '0;
+      nudge[2] = interlace_on ? CornerBits'(corner_up) - CornerBits'(corner_down) : '0;
+
+      for (int a = 0; a < 3; a++) begin
+        size_term[a] = twice ? half_size[a] << 1 : half_size[a];
+        if (add_velocity) size_term[a] = velocity[a];
+        else if (subtract_s[a]) size_term[a] = -size_term[a];
+        else if (!add_s[a]) size_term[a] = '0;
+        position_term[a] = add_r[a] ? position[a] : subtract_r[a] ? -position[a] : '0;
+        corner_d[a] = (negate[a] ? -corner_q[a] : corner_q[a]) + size_term[a] + position_term[a]
+            + nudge[a];
+        corner_q[a] <= at_camera ? camera[a] : corner_d[a];
+      end
+
+      if (root || (at_camera && !to_neighbour)) room_q <= nav_room_i[RoomBits-1:0];
+      else if (to_neighbour) room_q <= neighbour_i[RoomBits-1:0];
+
+      depth_q <= depth_d;
+      level_q <= level_d;
+      face_q <= face_d;
+      hit_face_q <= hit_face_d;
+      dom_q <= dom_d;
+      dom_prev_q <= dom_prev_d;
+      wall_q <= wall_d;
+      second_q <= second_d;
+      if (SeveralPortals) {portal_q, back_q} <= {portal_d, back_d};
     end
-
-    // Corners: far ones are a half size beyond the centre, near ones before it.
-    near_axes = near(level_q[2:1], face_axis);
-    near_next = near(level_d[2:1], face_axis);
-    twice = change_corner;
-    if (leave_room) begin
-      {add_r, subtract_r} = {ray_signs_i, ~ray_signs_i};
-      {add_s, subtract_s} = {near_axes, ~near_axes};
-    end
-    if (arrive) begin
-      {add_r, subtract_r} = {~ray_signs_i, ray_signs_i};
-      {add_s, subtract_s} = {~near_next, near_next};
-    end
-    if (change_corner) {add_s, subtract_s} = {near_axes & ~near_next, near_next & ~near_axes};
-
-    if (nav_line_i) begin  // the navigator's
-      {negate, add_s, subtract_s, add_r, subtract_r} = '0;
-      twice = nav_op_i == racebeam_pkg::CornerSubtract2S;
-      to_neighbour = nav_move_i;
-      case (nav_op_i)
-        racebeam_pkg::CornerAddS: add_s = '1;
-        racebeam_pkg::CornerSubtract2S: subtract_s = '1;
-        racebeam_pkg::CornerLeavePlus: {subtract_s, subtract_r} = '1;
-        racebeam_pkg::CornerLeaveMinus: {add_s, subtract_r} = '1;
-        racebeam_pkg::CornerAddR: add_r = '1;
-        default: ;
-      endcase
-    end
-
-    if (root) begin
-      depth_d = '0;
-      level_d = 3'd2;
-      {face_d, dom_d, dom_prev_d} = {face_q, dom_q, dom_prev_q};
-      {wall_d, second_d, portal_d, back_d} = '0;
-      hit_face_d = hit_face_q;
-    end
-  end
-
-  // The corner adders.
-  wire logic at_camera = root || (nav_line_i && nav_op_i == racebeam_pkg::CornerCamera);
-  wire logic add_velocity = nav_line_i && nav_op_i == racebeam_pkg::CornerAddVelocity;
-  logic [CornerBits-1:0] camera[3], velocity[3], half_size[3], position[3];
-  logic [CornerBits-1:0] size_term[3], position_term[3], nudge[3];
-
-  always_comb begin
-    camera[0] = CornerBits'(nav_position_x_i);
-    camera[1] = CornerBits'(nav_position_y_i);
-    camera[2] = CornerBits'(nav_position_z_i);
-    velocity[0] = CornerBits'(velocity_x_i);
-    velocity[1] = CornerBits'(velocity_y_i);
-    velocity[2] = CornerBits'(velocity_z_i);
-    half_size[0] = CornerBits'(half_size_x_i);
-    half_size[1] = CornerBits'(half_size_y_i);
-    half_size[2] = CornerBits'(half_size_z_i);
-    position[0] = CornerBits'(position_x_i);
-    position[1] = CornerBits'(position_y_i);
-    position[2] = CornerBits'(position_z_i);
-
-    nudge[0] = '0;
-    nudge[1] = '0;
-    nudge[2] = interlace_on ? CornerBits'(corner_up) - CornerBits'(corner_down) : '0;
-
-    for (int a = 0; a < 3; a++) begin
-      size_term[a] = twice ? half_size[a] << 1 : half_size[a];
-      if (add_velocity) size_term[a] = velocity[a];
-      else if (subtract_s[a]) size_term[a] = -size_term[a];
-      else if (!add_s[a]) size_term[a] = '0;
-      position_term[a] = add_r[a] ? position[a] : subtract_r[a] ? -position[a] : '0;
-      corner_d[a] = (negate[a] ? -corner_q[a] : corner_q[a]) + size_term[a] + position_term[a]
-          + nudge[a];
-      if (at_camera) corner_d[a] = camera[a];
-    end
-
-    room_d = room_q;
-    if (root || (at_camera && !to_neighbour)) room_d = nav_room_i[RoomBits-1:0];
-    else if (to_neighbour) room_d = neighbour_i[RoomBits-1:0];
   end
 
   // Edges of the room being entered that do not narrow the face it is entered by.
   if (SkipSharedEdges == 1) begin : g_shared_edges
     logic [CornerBits-1:0] left_far_q[3], left_near_q[3], far[3], near_side[3];
+    logic [CornerBits-1:0] half_size[3], position[3];
     logic [3:0] shared_q[1 << racebeam_pkg::DepthBits];
 
     // A difference that is not negative.
@@ -417,6 +439,12 @@ module decision_datapath #(
     endfunction
 
     always_comb begin
+      position[0] = CornerBits'(position_x_i);
+      position[1] = CornerBits'(position_y_i);
+      position[2] = CornerBits'(position_z_i);
+      half_size[0] = CornerBits'(half_size_x_i);
+      half_size[1] = CornerBits'(half_size_y_i);
+      half_size[2] = CornerBits'(half_size_z_i);
       for (int a = 0; a < 3; a++) begin  // in the mirrored world
         far[a] = (ray_signs_i[a] ? -position[a] : position[a]) + half_size[a];
         near_side[a] = far[a] - (half_size[a] << 1);
@@ -442,8 +470,8 @@ module decision_datapath #(
             left_far_q[a] <= far[a];
             left_near_q[a] <= near_side[a];
           end
-        if (level_q == 3'd7 && second_q) shared_q[depth_d] <= shared_entered;
-        else if (arrive) shared_q[depth_q] <= '0;
+        if (level_q == 3'd7 && second_q) shared_q[depth_q+1'b1] <= shared_entered;
+        else if (SeveralPortals && second_q && !level_q[2] && depth_q != '0) shared_q[depth_q] <= '0;
       end
   end else if (SkipSharedEdges == 2) begin : g_table_edges
     // The scene's, in the mirrored world; bit 0 of a level chooses the axis.
@@ -453,22 +481,6 @@ module decision_datapath #(
     assign shared_entered = shared;
   end else begin : g_all_edges
     assign {shared, shared_entered} = '0;
-  end
-
-  always_ff @(posedge clk_i) begin
-    depth_q <= depth_d;
-    level_q <= level_d;
-    room_q <= room_d;
-    for (int a = 0; a < 3; a++) corner_q[a] <= corner_d[a];
-    face_q <= face_d;
-    hit_face_q <= hit_face_d;
-    dom_q <= dom_d;
-    dom_prev_q <= dom_prev_d;
-    wall_q <= wall_d;
-    second_q <= second_d;
-    descend_q <= descend_i;
-    portal_q <= SeveralPortals ? portal_d : '0;
-    back_q <= SeveralPortals ? back_d : '0;
   end
 
   assign corner_x_o = racebeam_pkg::CornerPortBits'(signed'(corner_q[0]));

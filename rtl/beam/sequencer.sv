@@ -80,7 +80,7 @@ module sequencer #(
     start_y = -9'sd224;
     velocity_z = -2'sd1;
     scene_interlace_o = 1'b1;
-    unique case (e)
+    case (e)
       3'd2, 3'd6: begin
         scene_flags_o = e == 3'd6 ? U | N : U;
         scene_palette = e == 3'd6 ? 2'd0 : 2'd1;
@@ -138,19 +138,19 @@ module sequencer #(
   assign pitch = src_i == 2'd1;
 
   always_comb begin
-    unique case (part)
+    case (part)
       3'd1: variant = frame_q[9:7] ^ 3'd4;
       3'd4: variant = frame_q[9:7] ^ {1'b0, frame_q[9], 1'b0};
       default: variant = 3'd0;
     endcase
 
-    unique case ({fast, pitch})
+    case ({fast, pitch})
       2'b00: turned = frame_q[11:2];
       2'b01: turned = ~frame_q[12:3];
       2'b10: turned = frame_q[9:0];
       default: turned = ~frame_q[10:1];
     endcase
-    unique case (variant)
+    case (variant)
       3'd1: add_line = !pitch;
       3'd2, 3'd3: add_line = 1'b1;
       default: add_line = 1'b0;
