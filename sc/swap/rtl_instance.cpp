@@ -104,8 +104,8 @@ void rtl_instance::follow() {
     if (moved) library_.rise_and_eval();
     else library_.rise();
     rest_.look(model(), drive() || moved);
-  } else {
-    if (moved) library_.eval();
+  } else if (moved) {
+    library_.eval();
     drive();
   }
 }

@@ -174,7 +174,9 @@ void rtl_island::check_late() {
 }
 
 void rtl_island::comb() {
-  moved_ |= settle();
+  const bool moved = settle();
+  if (!moved && !due_) return;
+  moved_ |= moved;
   moved_ |= drive_outer();
   moved_ |= publish();
   if (std::exchange(due_, false)) rest_.look(library_.model(), moved_);
