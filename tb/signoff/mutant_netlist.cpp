@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "sc/swap/rtl_library.h"
 #include "tb/base/errors.h"
@@ -41,12 +42,49 @@ std::vector<std::string> link_names(const std::vector<std::string>& files) {
   std::vector<std::string> names;
   for (const std::string& file : files) {
     std::string name = fs::path(file).filename().string();
-    while (name == "rtl" || std::find(names.begin(), names.end(), name) != names.end())
+    while (name == "rtl" || name.rfind("folder", 0) == 0 ||
+           std::find(names.begin(), names.end(), name) != names.end())
       name = "other_" + name;
     names.push_back(name);
   }
   return names;
 }
+
+fs::path whole(const std::string& folder) {
+  return fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
+}
+
+/// Folders in which yosys looks for what the files include and lack.
+struct SearchedFolders {
+  std::vector<std::string> included, libraries;           // as they are called in a work folder
+  std::vector<std::pair<std::string, fs::path>> to_link;  // those that are not below rtl/
+
+  explicit SearchedFolders(const RtlSources& sources) {
+    std::vector<std::string> beside;
+    for (const std::string& file : sources.files)
+      beside.push_back(name_of_folder(fs::absolute(file).parent_path()));
+    for (const std::string& folder : sources.include_folders) add(included, name_of_folder(folder));
+    for (const std::string& folder : sources.libraries)
+      if (fs::is_directory(folder)) add(libraries, name_of_folder(folder));
+    for (auto* names : {&included, &libraries})
+      for (const std::string& name : beside) add(*names, name);
+    for (const std::string& folder : rtl_folders()) add(libraries, name_of_folder(folder));
+  }
+
+ private:
+  static void add(std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  std::string name_of_folder(const std::string& folder) {
+    const fs::path at = whole(folder);
+    for (const std::string& ours : rtl_folders())
+      if (at == whole(ours)) return "rtl/" + at.filename().string();
+    for (const auto& [name, target] : to_link)
+      if (target == at) return name;
+    to_link.emplace_back("folder" + std::to_string(to_link.size() + 1), at);
+    return to_link.back().first;
+  }
+};
 
 // yosys 0.23 reads no -1.
 std::string yosys_value(const std::string& value) {
@@ -151,6 +189,8 @@ void link_sources(const RtlSources& sources, const std::string& folder) {
   const std::vector<std::string> names = link_names(sources.files);
   for (std::size_t n = 0; n < names.size(); ++n)
     fs::create_symlink(fs::absolute(sources.files[n]), folder + "/" + names[n]);
+  for (const auto& [name, target] : SearchedFolders(sources).to_link)
+    fs::create_directory_symlink(target, folder + "/" + name);
 }
 
 int mutant_bits(const std::vector<Mutant>& mutants) {
@@ -170,17 +210,10 @@ std::string choosing_commands(const std::vector<Mutant>& mutants, int bits) {
 
 std::string reading_commands(const RtlSources& sources) {
   std::string options = " -sv", libraries, text, settings;
-  for (const std::string& one : sources.include_folders)
-    options += " -I" + fs::absolute(one).string();
-  for (const std::string& file : sources.files)
-    options += " -I" + fs::absolute(file).parent_path().string();
+  const SearchedFolders folders(sources);
+  for (const std::string& one : folders.included) options += " -I" + one;
   for (const std::string& one : sources.defines) options += " -D" + one;
-  for (const std::string& one : sources.libraries)
-    if (fs::is_directory(one)) libraries += " -libdir " + fs::absolute(one).string();
-  for (const std::string& file : sources.files)
-    libraries += " -libdir " + fs::absolute(file).parent_path().string();
-  for (const std::string& folder : rtl_folders())
-    libraries += " -libdir rtl/" + fs::path(folder).filename().string();
+  for (const std::string& one : folders.libraries) libraries += " -libdir " + one;
   text = "read_verilog" + options;
   for (const std::string& package : packages(sources)) text += " " + package;
   for (const std::string& name : link_names(sources.files)) text += " " + name;

@@ -41,8 +41,8 @@ std::string choosing_commands(const std::vector<Mutant>& mutants, int bits);
 /// How yosys reads a unit: the commands up to a flat netlist of words. They work in a folder that
 /// link_sources() has filled.
 std::string reading_commands(const RtlSources& sources);
-/// Links to the project's RTL and to the files of `sources`: names of cells come from paths, and
-/// shall be the same everywhere.
+/// Links to the project's RTL, to the files of `sources` and to the folders that are searched:
+/// names of cells come from paths, and shall be the same wherever the RTL lies.
 void link_sources(const RtlSources& sources, const std::string& folder);
 
 /// Runs yosys in a folder. Throws RtlError with what it says, MissingTool, Interrupted.

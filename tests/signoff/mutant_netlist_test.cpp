@@ -1,0 +1,79 @@
+// Mutants have the same names wherever the RTL lies: waivers and kept streams are written with
+// them.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/mutant_netlist.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tb/base/project_folder.h"
+#include "tb/base/whole_file.h"
+#include "tests/support/scratch_folder.h"
+
+namespace racebeam {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+void expect_no_place(const MutantNetlist& netlist, const std::string& place) {
+  EXPECT_THAT(netlist.rtlil, Not(HasSubstr(place)));
+  for (const Mutant& mutant : netlist.mutants) {
+    EXPECT_THAT(mutant.name, Not(HasSubstr(place)));
+    EXPECT_THAT(mutant.source, Not(HasSubstr(place)));
+  }
+}
+
+TEST(MutantNetlist, UnitsOfSeveralModulesDoNotTellWhereTheProjectLies) {
+  RtlSources sources;
+  sources.top = "voxel_setup";
+  sources.files = {rtl_file("voxel_setup")};
+  const MutantNetlist netlist = mutant_netlist(sources, 200, 1);
+  expect_no_place(netlist, project_folder());
+  EXPECT_THAT(netlist.rtlil, HasSubstr("$rtl/voxel/voxel_divider.sv:"));
+}
+
+TEST(MutantNetlist, RtlElsewhereDoesNotTellWhereItLies) {
+  const ScratchFolder folder;
+  for (const char* name : {"mine", "parts", "texts"}) fs::create_directory(folder / name);
+  std::ofstream(folder / "mine/mine.sv")
+      << "module mine (input wire clk_i, input wire [3:0] a_i, output wire [3:0] out_o);\n"
+         "wire [3:0] x, y;\nbeside u_beside (a_i, x);\npart u_part (x, y);\n"
+         "`include \"text.svh\"\nendmodule\n";
+  std::ofstream(folder / "mine/beside.sv")
+      << "module beside (input wire [3:0] a, output wire [3:0] y); assign y = a + 1; endmodule\n";
+  std::ofstream(folder / "parts/part.v")
+      << "module part (input wire [3:0] a, output wire [3:0] y); assign y = a ^ 5; endmodule\n";
+  std::ofstream(folder / "texts/text.svh") << "assign out_o = y - a_i;\n";
+  RtlSources sources;
+  sources.top = "mine";
+  sources.files = {folder / "mine/mine.sv"};
+  sources.include_folders = {folder / "texts"};
+  sources.libraries = {folder / "parts"};
+  const MutantNetlist netlist = mutant_netlist(sources, 50, 1);
+  expect_no_place(netlist, folder.path());
+  for (const char* file : {"beside.sv:1", "part.v:1", "text.svh:1"})
+    EXPECT_THAT(netlist.rtlil, HasSubstr(file)) << "is read";
+  EXPECT_FALSE(netlist.mutants.empty());
+}
+
+TEST(MutantNetlist, KeptStreamsNameNoFileByItsPlaceOnAMachine) {
+  int streams = 0;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(project_folder() + "/tb/twin/streams")) {
+    if (!entry.is_regular_file()) continue;
+    ++streams;
+    const std::string text = whole_file(entry.path());
+    EXPECT_THAT(text, Not(HasSubstr("$/"))) << entry.path();
+    EXPECT_THAT(text, Not(HasSubstr(" /"))) << entry.path();
+  }
+  EXPECT_GT(streams, 0);
+}
+
+}  // namespace
+}  // namespace racebeam
