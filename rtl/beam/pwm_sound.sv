@@ -27,11 +27,11 @@ module pwm_sound (
   localparam int HighBits = SumBits - VoiceBits;
   localparam logic [5:0] Voices = 6'd24;
 
-  logic [10:0] pwm_q, pwm_d;  // counts up while bit 10 is 1, then holds
-  logic [SumBits-1:0] sum_q, sum_d;  // start value and voices so far
-  logic [PhaseBits-1:0] phase_q, phase_d;  // samples since reset
-  logic carry_q, carry_d;  // from the low to the high part of sum or phase
-  logic negative_q, negative_d;  // sign of the voice that is being added
+  logic [10:0] pwm_q;  // counts up while bit 10 is 1, then holds
+  logic [SumBits-1:0] sum_q;  // start value and voices so far
+  logic [PhaseBits-1:0] phase_q;  // samples since reset
+  logic carry_q;  // from the low to the high part of sum or phase
+  logic negative_q;  // sign of the voice that is being added
 
   // --- Slot: 0..24 in sample A and again in sample B --------------------------------------------
   // Left and right of the line it is -1, -2 or from 25 up.
@@ -45,6 +45,7 @@ module pwm_sound (
   wire logic [10:0] sample = {10'(y_i - 10'(racebeam_pkg::FirstLine)), sample_b};
   wire logic signed [VoiceBits-1:0] value;
   sound_voice u_sound_voice (
+      .taken_i(is_voice && slot_clock == 5'd29),
       .voice_i(slot[4:0]),
       .phase_i(phase_q),
       .frame_i(frame_i),
@@ -56,40 +57,27 @@ module pwm_sound (
   wire logic [10:0] start = 11'd24 * 11'(speed_i[1:0]) - 11'd400;
   wire logic [SumBits-1:0] from = slot == '0 ? {start, sum_q[3:0]} : sum_q;
 
-  always_comb begin
-    sum_d = sum_q;
-    phase_d = phase_q;
-    carry_d = carry_q;
-    negative_d = negative_q;
-    if (is_voice && slot_clock == 5'd29) begin
-      {carry_d, sum_d[VoiceBits-1:0]} = {1'b0, from[VoiceBits-1:0]} + {1'b0, value};
-      negative_d = value[VoiceBits-1];
-    end
-    if (is_voice && slot_clock == 5'd31)
-      sum_d[SumBits-1:VoiceBits] =
-          from[SumBits-1:VoiceBits] + HighBits'(carry_q) - HighBits'(negative_q);
-    if (is_end && slot_clock == 5'd0) {carry_d, phase_d[9:0]} = 11'(phase_q[9:0]) + 11'd1;
-    if (is_end && slot_clock == 5'd1) phase_d[18:10] = phase_q[18:10] + 9'(carry_q);
-  end
-
-  always_comb begin
-    pwm_d = pwm_q;
-    if (pwm_q[10]) pwm_d = pwm_q + 11'd1;
-    if (is_end && slot_clock == 5'd0) pwm_d = sum_q[SumBits-1:4];
+  always_ff @(posedge clk_i) begin
+    if (pwm_q[10]) pwm_q <= pwm_q + 11'd1;
+    if (is_end && slot_clock == 5'd0) pwm_q <= sum_q[SumBits-1:4];
   end
 
   always_ff @(posedge clk_i) begin
-    pwm_q <= pwm_d;
     if (!rst_ni) begin
       sum_q <= '0;
       phase_q <= '0;
       carry_q <= 1'b0;
       negative_q <= 1'b0;
     end else begin
-      sum_q <= sum_d;
-      phase_q <= phase_d;
-      carry_q <= carry_d;
-      negative_q <= negative_d;
+      if (is_voice && slot_clock == 5'd29) begin
+        {carry_q, sum_q[VoiceBits-1:0]} <= {1'b0, from[VoiceBits-1:0]} + {1'b0, value};
+        negative_q <= value[VoiceBits-1];
+      end
+      if (is_voice && slot_clock == 5'd31)
+        sum_q[SumBits-1:VoiceBits] <=
+            from[SumBits-1:VoiceBits] + HighBits'(carry_q) - HighBits'(negative_q);
+      if (is_end && slot_clock == 5'd0) {carry_q, phase_q[9:0]} <= 11'(phase_q[9:0]) + 11'd1;
+      if (is_end && slot_clock == 5'd1) phase_q[18:10] <= phase_q[18:10] + 9'(carry_q);
     end
   end
 

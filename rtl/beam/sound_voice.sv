@@ -3,39 +3,35 @@
 //
 // Combinational, with eight products one behind the other. In pwm_sound the inputs are stable from
 // the first clock of a slot and the value is taken near its end, some 20 clocks later at the
-// highest speed: a multicycle path. Tones and drums share it: both are a sine; a tone's turns evenly
-// and is modulated, a drum's slows down.
+// highest speed: a multicycle path. What is behind the tables is functions, so that a simulator
+// computes a voice only in the clock that takes it; in hardware taken_i is the last gate. Tones and
+// drums share it: both are a sine; a tone's turns evenly and is modulated, a drum's slows down.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module sound_voice (
+    input wire logic taken_i,  // value_o is wanted in this clock
     input wire logic [4:0] voice_i,  // 0..23
     input wire logic [18:0] phase_i,  // samples since reset
     input wire logic [13:0] frame_i,
     input wire logic [10:0] sample_i,  // in the frame, 0..1049
-    output logic signed [9:0] value_o
+    output logic signed [9:0] value_o  // 0 if it is not wanted
 );
+  localparam logic [7:0] GoesOn = 8'hff;  // a step in which the note before goes on
+
   // Sustain and modulation of what is no tone
   localparam logic [40:0] NoTone = {11'd0, 2'd1, 11'd0, 5'd10, 11'd0, 1'b0};
 
-  // --- What the voices are ----------------------------------------------------------------------
   typedef enum logic [3:0] {
     Kick, Body, Snare, Hat, Crash, Tom, Bass, Lead, Second, Pad, Arpeggio
   } voice_kind;
 
-  logic [3:0] kind;
-  logic [5:0] delay;  // frames behind the tune: an echo
-  logic signed [3:0] detune;  // added to the phase increment
-  logic [2:0] degree;  // pads: note of the chord
-  logic octave;  // notes are played this much higher
-  logic [5:0] level;  // 0..32
-
-  logic [23:0] setup;
-  assign {kind, delay, detune, degree, octave, level} = setup;
-  always_comb begin
-    case (voice_i)
+  // --- What the voices are ----------------------------------------------------------------------
+  // {kind, delay, detune, degree, octave, level}
+  function automatic logic [23:0] setup(input logic [4:0] voice);
+    case (voice)
       5'd0: setup = {Kick, 6'd0, 4'sd0, 3'd0, 1'd0, 6'd32};
       5'd1: setup = {Kick, 6'd0, 4'sd0, 3'd0, 1'd0, 6'd32};
       5'd2: setup = {Body, 6'd0, 4'sd0, 3'd0, 1'd0, 6'd20};
@@ -62,85 +58,16 @@ module sound_voice (
       5'd23: setup = {Arpeggio, 6'd24, 4'sd0, 3'd0, 1'd1, 6'd10};
       default: setup = '0;
     endcase
-  end
+  endfunction
 
-  // --- Where the voice is in the tune -----------------------------------------------------------
-  // An echo of frame 0 asks for measure 127, which is silent.
-  wire logic [13:0] frame = frame_i - 14'(delay);
-  wire logic [39:0] chord;
-  wire logic [1:0] lead_sound;
-  wire logic [3:0] brightness;
-  wire logic [6:0] lead, second, pad, bass, arpeggio, kick, snare, hat, crash, tom;
-  tune_measures u_tune_measures (
-      .measure_i(frame[13:7]),
-      .chord_o(chord),
-      .sound_o(lead_sound),
-      .brightness_o(brightness),
-      .lead_o(lead),
-      .second_o(second),
-      .pad_o(pad),
-      .bass_o(bass),
-      .arpeggio_o(arpeggio),
-      .kick_o(kick),
-      .snare_o(snare),
-      .hat_o(hat),
-      .crash_o(crash),
-      .tom_o(tom)
-  );
-
-  logic [6:0] bar;
-  always_comb begin
-    case (kind)
-      Kick: bar = kick;
-      Body, Snare: bar = snare;
-      Hat: bar = hat;
-      Crash: bar = crash;
-      Tom: bar = tom;
-      Bass: bar = bass;
-      Lead: bar = lead;
-      Second: bar = second;
-      Pad: bar = pad;
-      default: bar = arpeggio;
-    endcase
-  end
-
-  wire logic [13:0] in_step = 14'(frame[2:0]) * 14'd1050 + 14'(sample_i);
-  wire logic [7:0] note, kick_note;
-  wire logic [17:0] since, left, kick_since, kick_left;
-  tune_moment u_own (
-      .bar_i(bar),
-      .step_i(frame[6:3]),
-      .in_step_i(in_step),
-      .note_o(note),
-      .since_o(since),
-      .left_o(left)
-  );
-  tune_moment u_kick (
-      .bar_i(kick),
-      .step_i(frame[6:3]),
-      .in_step_i(in_step),
-      .note_o(kick_note),
-      .since_o(kick_since),
-      .left_o(kick_left)
-  );
-
-  // --- How each kind sounds ---------------------------------------------------------------------
-  logic [3:0] attack;  // full gain after 8192 >> n samples
-  logic [3:0] fade;  // and this long before the end
-  logic [4:0] decay;  // gain halves in 1 << n samples
-  logic [10:0] sustain;  // and does not fall below this
-  logic [1:0] ratio;  // pitch of the modulating sine
-  logic [10:0] depth;  // of the modulation, 652 is 1 radian
-  logic [4:0] depth_decay;
-  logic [10:0] depth_floor;
-  logic vibrato;
-
-  logic [53:0] sound;
-  assign {attack, fade, decay, sustain, ratio, depth, depth_decay, depth_floor, vibrato} = sound;
-  wire logic [1:0] accent = note[1:0];  // of drums: 1..3, soft to loud
-  wire logic [4:0] hat_decay = accent == 2'd3 ? 5'd12 : 5'd10;
-  wire logic [10:0] bright_depth = {1'b0, brightness, 6'd0};
-  always_comb begin
+  // {attack, fade, decay, sustain, ratio, depth, depth_decay, depth_floor, vibrato}
+  function automatic logic [53:0] sound(
+      input logic [3:0] kind, input logic [1:0] accent, input logic [1:0] lead_sound,
+      input logic [3:0] brightness);
+    logic [4:0] hat_decay;
+    logic [10:0] bright_depth;
+    hat_decay = accent == 2'd3 ? 5'd12 : 5'd10;
+    bright_depth = {1'b0, brightness, 6'd0};
     case (kind)
       Kick: sound = {4'd7, 4'd5, 5'd12, NoTone};
       Body: sound = {4'd7, 4'd5, 5'd11, NoTone};
@@ -158,7 +85,7 @@ module sound_voice (
         default: sound = {4'd5, 4'd4, 5'd15, 11'd640, 2'd1, 11'd1250, 5'd14, 11'd800, 1'b1};
       endcase
     endcase
-  end
+  endfunction
 
   // --- Arithmetic -------------------------------------------------------------------------------
   // 1024, halving every 1 << shift samples, in straight pieces; ends at 0
@@ -198,57 +125,54 @@ module sound_voice (
     noise = 9'(a >> 7);
   endfunction
 
+  // --- Where a note is in its bar ---------------------------------------------------------------
+  // {note, step in which it began} of a bar in a step; the note is 0 for silence
+  function automatic logic [11:0] note_in(input logic [127:0] steps, input logic [3:0] step);
+    logic [7:0] text;
+    note_in = '0;
+    for (int i = 0; i < 16; i++) begin
+      text = steps[8*(15-i)+:8];
+      if (text != GoesOn && 4'(i) <= step) note_in = {text, 4'(i)};
+    end
+  endfunction
+
+  // Steps of that note which follow
+  function automatic logic [3:0] steps_left(input logic [127:0] steps, input logic [3:0] step);
+    logic [3:0] last;
+    last = 4'd15;
+    for (int i = 15; i > 0; i--)
+      if (steps[8*(15-i)+:8] != GoesOn && 4'(i) > step) last = 4'(i) - 4'd1;
+    steps_left = last - step;
+  endfunction
+
+  function automatic logic [17:0] samples_of(input logic [3:0] whole_steps);
+    samples_of = 18'(whole_steps) * 18'd8400;
+  endfunction
+
   // --- Gain: 1024 is one ------------------------------------------------------------------------
   // Chords duck under the kick and come back; the gain has fallen before the kick begins.
-  logic [18:0] duck;
-  logic [10:0] strength;
-  always_comb begin
-    duck = kick_note == '0 ? 19'd1024 : 19'(kick_since) >> 4;
-    if (19'(kick_left) << 1 < duck) duck = 19'(kick_left) << 1;
-    case (kind)
-      Kick, Body, Snare, Hat, Crash, Tom:
-      case (accent)
-        2'd0: strength = 11'd0;
-        2'd1: strength = 11'd6 * 11'd64;
-        2'd2: strength = 11'd11 * 11'd64;
-        default: strength = 11'd16 * 11'd64;
-      endcase
-      Pad: strength = duck < 19'd320 ? 11'd320 : duck > 19'd1024 ? 11'd1024 : 11'(duck);
-      default: strength = 11'd1024;
-    endcase
-  end
+  function automatic logic [10:0] ducked(
+      input logic plays, input logic [17:0] since, input logic [17:0] left);
+    logic [18:0] duck;
+    duck = plays ? 19'(since) >> 4 : 19'd1024;
+    if (19'(left) << 1 < duck) duck = 19'(left) << 1;
+    ducked = duck < 19'd320 ? 11'd320 : duck > 19'd1024 ? 11'd1024 : 11'(duck);
+  endfunction
 
-  wire logic is_drum = kind < Bass;
-  logic [10:0] swell, shape;
-  logic [10:0] gain;
-  always_comb begin
-    swell = decaying(since, decay);
-    if (is_drum) swell = swell > 11'd512 ? 11'd1024 : swell << 1;
-    if (swell < sustain) swell = sustain;
-    shape = lesser(swell, lesser(ramp(since, attack), ramp(left, fade)));
-    gain = 11'(22'(shape) * 22'(strength) >> 10);
-  end
+  function automatic logic [10:0] strength_of(input logic [1:0] accent);
+    case (accent)
+      2'd0: strength_of = 11'd0;
+      2'd1: strength_of = 11'd6 * 11'd64;
+      2'd2: strength_of = 11'd11 * 11'd64;
+      default: strength_of = 11'd16 * 11'd64;
+    endcase
+  endfunction
 
   // --- Pitch ------------------------------------------------------------------------------------
-  wire logic [2:0] chord_degree = kind == Pad ? degree : note[2:0];
-  logic [7:0] chord_note;
-  logic [7:0] pitch;  // {octave, semitone}
-  logic [17:0] scale;  // phase increments of octave 9, 2^19 a turn
-  logic [3:0] lower;  // octaves below it
-  logic [18:0] increment;
-  always_comb begin
-    case (chord_degree)
-      3'd0: chord_note = chord[39:32];
-      3'd1: chord_note = chord[31:24];
-      3'd2: chord_note = chord[23:16];
-      3'd3: chord_note = chord[15:8];
-      default: chord_note = chord[7:0];
-    endcase
-    case (kind)
-      Lead, Second: pitch = note;
-      Pad: pitch = chord_note;
-      default: pitch = chord_note + {note[7:4] - 4'd1 + 4'(octave), 4'd0};
-    endcase
+  // Phase increment of a note {octave, semitone}; 2^19 a turn
+  function automatic logic [18:0] phase_increment(input logic [7:0] pitch);
+    logic [17:0] scale;  // in octave 9
+    logic [3:0] lower;  // octaves below it
     case (pitch[3:0])
       4'd0: scale = 18'd69672;
       4'd1: scale = 18'd73815;
@@ -264,67 +188,191 @@ module sound_voice (
       default: scale = 18'd131524;
     endcase
     lower = 4'd9 - pitch[7:4];
-    increment = ((19'(scale) + (19'd1 << lower >> 1)) >> lower) + 19'(detune);
-  end
+    phase_increment = (19'(scale) + (19'd1 << lower >> 1)) >> lower;
+  endfunction
 
   // --- Turn of the sine, 4096 is one ------------------------------------------------------------
   // A drum falls from high to low: an even turn less two parabolas that end after 4096 and 512
   // samples.
-  logic [10:0] base;
-  logic [1:0] slow, fast;
-  always_comb begin
+  /* verilator lint_off UNUSEDSIGNAL */  // products: bits above a turn and below a unit are dropped
+  function automatic logic [11:0] falling(
+      input logic [3:0] kind, input logic [1:0] accent, input logic [17:0] since);
+    logic [10:0] base;
+    logic [1:0] slow, fast;
+    logic [12:0] to_4096;
+    logic [9:0] to_512;
+    logic [25:0] slow_bend;
+    logic [18:0] fast_bend, turn;
     case (kind)
       Kick: {base, slow, fast} = {11'd400, 2'd2, 2'd3};
       Body: {base, slow, fast} = {11'd1500, 2'd2, 2'd2};
       default: {base, slow, fast} = {11'd450 + 11'd250 * 11'(accent), 2'd3, 2'd1};
     endcase
-  end
+    to_4096 = since < 18'd4096 ? 13'd4096 - 13'(since) : '0;
+    to_512 = since < 18'd512 ? 10'd512 - 10'(since) : '0;
+    slow_bend = 26'(to_4096) * 26'(to_4096) >> 4;
+    fast_bend = 19'(to_512) * 19'(to_512);
+    turn =
+        19'(base) * 19'(since) - 19'(slow) * 19'(slow_bend) - 19'(fast) * fast_bend +
+        (19'(fast) << 18);
+    falling = turn[18:7];
+  endfunction
 
-  wire logic [12:0] to_4096 = since < 18'd4096 ? 13'd4096 - 13'(since) : '0;
-  wire logic [9:0] to_512 = since < 18'd512 ? 10'd512 - 10'(since) : '0;
-  wire logic [17:0] vibrato_time = since < 18'd12000 ? '0 : (since - 18'd12000) >> 4;
-  wire logic [10:0] vibrato_depth = vibrato_time > 18'd1024 ? 11'd1024 : 11'(vibrato_time);
+  function automatic logic [11:0] vibrato_bend(input logic [17:0] since);
+    logic [17:0] late;
+    logic [10:0] depth;
+    logic [22:0] turn;
+    logic signed [21:0] bend;
+    late = since < 18'd12000 ? '0 : (since - 18'd12000) >> 4;
+    depth = late > 18'd1024 ? 11'd1024 : 11'(late);
+    turn = 23'(since) * 23'd23;
+    bend = 22'(sine(turn[17:6])) * 22'(signed'({1'b0, depth}));
+    vibrato_bend = bend[21:10];
+  endfunction
 
-  /* verilator lint_off UNUSEDSIGNAL */  // products: bits above a turn and below a unit are dropped
-  wire logic [25:0] slow_bend = 26'(to_4096) * 26'(to_4096) >> 4;
-  wire logic [18:0] fast_bend = 19'(to_512) * 19'(to_512);
-  wire logic [18:0] even = increment * phase_i;
-  wire logic [18:0] falling =
-      19'(base) * 19'(since) - 19'(slow) * 19'(slow_bend) - 19'(fast) * fast_bend +
-      (19'(fast) << 18);
-  wire logic [22:0] vibrato_turn = 23'(since) * 23'd23;
-  wire logic signed [21:0] vibrato_bend =
-      22'(sine(vibrato_turn[17:6])) * 22'(signed'({1'b0, vibrato_depth}));
-  /* verilator lint_on UNUSEDSIGNAL */
-  wire logic [11:0] turn =
-      is_drum ? falling[18:7] : even[18:7] + (vibrato ? vibrato_bend[21:10] : '0);
+  // --- Where the voice is in the tune -----------------------------------------------------------
+  logic [3:0] kind;
+  logic [5:0] delay;  // frames behind the tune: an echo
+  logic signed [3:0] detune;  // added to the phase increment
+  logic [2:0] degree;  // pads: note of the chord
+  logic octave;  // notes are played this much higher
+  logic [5:0] level;  // 0..32
+  assign {kind, delay, detune, degree, octave, level} = setup(voice_i);
 
-  // --- Wave -------------------------------------------------------------------------------------
-  wire logic [21:0] fallen_depth = 22'(depth) * 22'(decaying(since, depth_decay)) >> 10;
-  wire logic [11:0] depth_now =
-      fallen_depth < 22'(depth_floor) ? 12'(depth_floor) : 12'(fallen_depth);
-  /* verilator lint_off UNUSEDSIGNAL */  // bits above a turn and below a unit
-  wire logic signed [21:0] modulation =
-      22'(sine(12'(ratio) * turn)) * 22'(signed'(depth_now));
-  /* verilator lint_on UNUSEDSIGNAL */
-  wire logic signed [8:0] hiss = noise(19'(phase_i[18:1]));
-  wire logic signed [8:0] hiss_before = noise(19'(phase_i[18:1]) - 19'd1);
+  // An echo of frame 0 asks for measure 127, which is silent.
+  wire logic [13:0] frame = frame_i - 14'(delay);
+  wire logic [39:0] chord;
+  wire logic [1:0] lead_sound;
+  wire logic [3:0] brightness;
+  wire logic [6:0] lead, second, pad, bass, arpeggio, kick, snare, hat, crash, tom;
+  tune_measures u_tune_measures (
+      .measure_i(frame[13:7]),
+      .chord_o(chord),
+      .sound_o(lead_sound),
+      .brightness_o(brightness),
+      .lead_o(lead),
+      .second_o(second),
+      .pad_o(pad),
+      .bass_o(bass),
+      .arpeggio_o(arpeggio),
+      .kick_o(kick),
+      .snare_o(snare),
+      .hat_o(hat),
+      .crash_o(crash),
+      .tom_o(tom)
+  );
 
-  logic signed [9:0] wave;
+  logic [6:0] bar;
   always_comb begin
     case (kind)
-      Snare: wave = {hiss, 1'b1};
-      Hat, Crash: wave = 10'(hiss) - 10'(hiss_before);
-      default: wave = sine(turn + modulation[20:9]);
+      Kick: bar = kick;
+      Body, Snare: bar = snare;
+      Hat: bar = hat;
+      Crash: bar = crash;
+      Tom: bar = tom;
+      Bass: bar = bass;
+      Lead: bar = lead;
+      Second: bar = second;
+      Pad: bar = pad;
+      default: bar = arpeggio;
     endcase
   end
 
-  // --- Value, rounded ---------------------------------------------------------------------------
-  /* verilator lint_off UNUSEDSIGNAL */  // bits below a unit; the top one is a second sign
-  wire logic signed [27:0] product =
-      28'(wave) * 28'(signed'({1'b0, gain})) * 28'(signed'({1'b0, level})) + 28'sd16384;
+
+  wire logic [127:0] steps, kick_steps;
+  tune_bars u_own (
+      .bar_i(bar),
+      .steps_o(steps)
+  );
+  tune_bars u_kick (
+      .bar_i(kick),
+      .steps_o(kick_steps)
+  );
+
+  // --- Its value --------------------------------------------------------------------------------
+  // in_step: samples since the step began
+  function automatic logic signed [9:0] value_of(
+      input logic [3:0] step, input logic [13:0] in_step);
+    logic [7:0] note, kick_note, chord_note, pitch;
+    logic [3:0] first, kick_first;  // steps in which they began
+    logic [17:0] since, left;  // samples since the note began, and of it that follow
+    logic is_drum;
+    logic [3:0] attack;  // full gain after 8192 >> n samples
+    logic [3:0] fade;  // and this long before the end
+    logic [4:0] decay;  // gain halves in 1 << n samples
+    logic [10:0] sustain;  // and does not fall below this
+    logic [1:0] ratio;  // pitch of the modulating sine
+    logic [10:0] depth;  // of the modulation, 652 is 1 radian
+    logic [4:0] depth_decay;
+    logic [10:0] depth_floor;
+    logic vibrato;
+    logic [10:0] swell, shape, strength, gain;
+    logic [18:0] even;
+    logic [11:0] turn, depth_now;
+    logic [21:0] fallen_depth;
+    logic signed [21:0] modulation;
+    logic signed [8:0] hiss;
+    logic signed [9:0] wave;
+    logic signed [27:0] product;
+
+    {note, first} = note_in(steps, step);
+    since = samples_of(step - first) + 18'(in_step);
+    left = samples_of(steps_left(steps, step)) + 18'd8399 - 18'(in_step);
+    {attack, fade, decay, sustain, ratio, depth, depth_decay, depth_floor, vibrato} =
+        sound(kind, note[1:0], lead_sound, brightness);
+    is_drum = kind < Bass;
+
+    // Gain: 1024 is one
+    {kick_note, kick_first} = note_in(kick_steps, step);
+    strength = is_drum ? strength_of(note[1:0]) : 11'd1024;
+    if (kind == Pad)
+      strength = ducked(
+          kick_note != '0, samples_of(step - kick_first) + 18'(in_step),
+          samples_of(steps_left(kick_steps, step)) + 18'd8399 - 18'(in_step));
+    swell = decaying(since, decay);
+    if (is_drum) swell = swell > 11'd512 ? 11'd1024 : swell << 1;
+    if (swell < sustain) swell = sustain;
+    shape = lesser(swell, lesser(ramp(since, attack), ramp(left, fade)));
+    gain = 11'(22'(shape) * 22'(strength) >> 10);
+
+    // Turn of the sine
+    case (kind == Pad ? degree : note[2:0])
+      3'd0: chord_note = chord[39:32];
+      3'd1: chord_note = chord[31:24];
+      3'd2: chord_note = chord[23:16];
+      3'd3: chord_note = chord[15:8];
+      default: chord_note = chord[7:0];
+    endcase
+    case (kind)
+      Lead, Second: pitch = note;
+      Pad: pitch = chord_note;
+      default: pitch = chord_note + {note[7:4] - 4'd1 + 4'(octave), 4'd0};
+    endcase
+    even = (phase_increment(pitch) + 19'(detune)) * phase_i;
+    turn = is_drum ? falling(kind, note[1:0], since) : even[18:7];
+    if (vibrato) turn = turn + vibrato_bend(since);
+
+    // Wave
+    fallen_depth = 22'(depth) * 22'(decaying(since, depth_decay)) >> 10;
+    depth_now = fallen_depth < 22'(depth_floor) ? 12'(depth_floor) : 12'(fallen_depth);
+    modulation = 22'(sine(12'(ratio) * turn)) * 22'(signed'(depth_now));
+    hiss = noise(19'(phase_i[18:1]));
+    case (kind)
+      Snare: wave = {hiss, 1'b1};
+      Hat, Crash: wave = 10'(hiss) - 10'(noise(19'(phase_i[18:1]) - 19'd1));
+      default: wave = sine(turn + modulation[20:9]);
+    endcase
+
+    // Rounded
+    product = 28'(wave) * 28'(signed'({1'b0, gain})) * 28'(signed'({1'b0, level})) + 28'sd16384;
+    value_of = note == '0 ? '0 : product[24:15];
+  endfunction
   /* verilator lint_on UNUSEDSIGNAL */
-  assign value_o = note == '0 ? '0 : product[24:15];
+
+  always_comb begin
+    value_o = '0;
+    if (taken_i) value_o = value_of(frame[6:3], 14'(frame[2:0]) * 14'd1050 + 14'(sample_i));
+  end
 endmodule
 
 `default_nettype wire
