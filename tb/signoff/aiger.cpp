@@ -48,6 +48,22 @@ class Reader {
   std::size_t at_ = 0;
 };
 
+struct Head {
+  std::size_t variables, inputs, registers, outputs, gates;
+};
+
+Head head_of(const std::string& line) {
+  Head head{};
+  std::string kind;
+  std::size_t others = 0;
+  std::istringstream words(line);
+  if (!(words >> kind >> head.variables >> head.inputs >> head.registers >> head.outputs >>
+        head.gates) ||
+      kind != "aig" || words >> others)
+    refuse();
+  return head;
+}
+
 void write_number(std::string& out, Literal value) {
   for (; value > Digit; value >>= DigitBits) out += static_cast<char>((value & Digit) | More);
   out += static_cast<char>(value);
@@ -58,20 +74,16 @@ void write_number(std::string& out, Literal value) {
 std::string with_constant_inputs(const std::string& aiger,
                                  const std::map<std::size_t, bool>& constants) {
   Reader in(aiger);
-  std::string out = in.line() + "\n", kind;
-  std::size_t variables, inputs, registers, outputs, gates, others = 0;
-  std::istringstream head(out);
-  if (!(head >> kind >> variables >> inputs >> registers >> outputs >> gates) || kind != "aig" ||
-      head >> others)
-    refuse();
+  std::string out = in.line() + "\n";
+  const Head head = head_of(out);
   const auto tied = [&](Literal literal) {
     const std::size_t variable = literal / 2;
     const auto constant = variable == 0 ? constants.end() : constants.find(variable - 1);
-    if (constant == constants.end() || variable > inputs) return literal;
+    if (constant == constants.end() || variable > head.inputs) return literal;
     return static_cast<Literal>(constant->second) ^ (literal & 1);
   };
   // Of a register its next value, and maybe what it begins with.
-  for (std::size_t n = 0; n < registers + outputs; ++n) {
+  for (std::size_t n = 0; n < head.registers + head.outputs; ++n) {
     std::istringstream words(in.line());
     Literal literal;
     std::string begin;
@@ -80,8 +92,8 @@ std::string with_constant_inputs(const std::string& aiger,
     if (words >> begin) out += " " + begin;
     out += "\n";
   }
-  for (std::size_t n = 0; n < gates; ++n) {
-    const auto gate = static_cast<Literal>(2 * (inputs + registers + 1 + n));
+  for (std::size_t n = 0; n < head.gates; ++n) {
+    const auto gate = static_cast<Literal>(2 * (head.inputs + head.registers + 1 + n));
     const Literal was_left = gate - in.number(), was_right = was_left - in.number();
     if (was_left >= gate || was_right > was_left) refuse();
     const Literal left = tied(was_left), right = tied(was_right);
@@ -89,6 +101,24 @@ std::string with_constant_inputs(const std::string& aiger,
     write_number(out, std::max(left, right) - std::min(left, right));
   }
   return out + in.rest();
+}
+
+// Variables keep their numbers: registers come behind the inputs already. Names would be wrong.
+std::string without_registers(const std::string& aiger) {
+  Reader in(aiger);
+  const Head head = head_of(in.line());
+  std::string out = "aig";
+  for (const std::size_t count : {head.variables, head.inputs + head.registers, std::size_t{0},
+                                  head.outputs + head.registers, head.gates})
+    out += " " + std::to_string(count);
+  out += "\n";
+  for (std::size_t n = 0; n < head.registers + head.outputs; ++n) {
+    const std::string line = in.line();
+    out += line.substr(0, line.find(' ')) + "\n";
+  }
+  for (std::size_t n = 0; n < head.gates; ++n)
+    for (int side = 0; side < 2; ++side) write_number(out, in.number());
+  return out;
 }
 
 }  // namespace racebeam

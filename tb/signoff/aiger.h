@@ -16,4 +16,8 @@ namespace racebeam {
 std::string with_constant_inputs(const std::string& aiger,
                                  const std::map<std::size_t, bool>& constants);
 
+/// One clock of the same circuit: registers are inputs, behind the others, and their next values
+/// outputs, before the others. Throws RtlError if it is no such circuit.
+std::string without_registers(const std::string& aiger);
+
 }  // namespace racebeam

@@ -7,15 +7,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "tb/signoff/mutant_netlist.h"
-#include "tb/twin/legal_inputs.h"
-#include "tb/twin/port_traffic.h"
+#include "tb/signoff/mutant_circuits.h"
 
 namespace racebeam {
 
@@ -27,16 +24,8 @@ struct MutantProof {
   std::string why;  ///< it is undecided
 };
 
-/// What a proof is asked of: `ports` of the unit, without clocks of traffic.
-struct ProofOfMutants {
-  const MutantNetlist& netlist;
-  const PortTraffic& ports;
-  const LegalInputs& legal;
-  std::chrono::milliseconds limit;  ///< for each mutant
-};
-
-/// The proofs of some mutants: yosys makes one circuit with all of them, and yosys-abc is asked
-/// with one chosen. What was proved equal once is in the cache.
+/// The proofs of some mutants: yosys makes circuits with all of them, and yosys-abc is asked with
+/// one chosen. What was proved equal once is in the cache.
 class MutantProofs {
  public:
   /// Throws RtlError, MissingTool, Interrupted.
@@ -62,19 +51,15 @@ class MutantProofs {
 
   std::string key_of(int number) const;
   void read_map(const std::string& text);
-  std::string circuit_of(int number) const;
+  bool is_same_step(int number) const;
+  double seconds() const;
   Inputs read_counterexample(const std::string& text) const;
   MutantProof ask(int number, const std::vector<Question>& questions) const;
 
   const ProofOfMutants proof_;
   const std::string miter_;
-  std::string circuit_;
+  MutantCircuits circuits_;  // without a mutant that has to be proved, none
   std::vector<InputBit> bits_;
-  std::vector<std::size_t> choice_;  // the inputs that choose a mutant, the lowest bit first
 };
-
-/// The condition that a value of an input is one that the chip can have, in Verilog; "" if all are.
-/// Values of wide inputs whose rule is neither a narrower number nor a signed one are all allowed.
-std::string legal_condition(const LegalInputs& legal, const PortTraffic::Port& port);
 
 }  // namespace racebeam

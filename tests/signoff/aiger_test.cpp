@@ -1,4 +1,5 @@
-// A circuit whose inputs are held: what reads them reads constants, and nothing else changes.
+// Circuits whose inputs are held, so that what reads them reads constants, and whose registers are
+// taken out.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -33,8 +34,17 @@ TEST(AigerTest, AnInvertedInputIsTheInvertedConstant) {
             Head + "8\n1\n" + std::string("\x06\x02", 2) + Names);
 }
 
+TEST(AigerTest, WithoutRegistersTheirNextValuesAreOutputs) {
+  const std::string step = "aig 4 3 0 2 1\n8\n5\n\x04\x02";
+  EXPECT_EQ(without_registers(Circuit), step);
+  EXPECT_EQ(without_registers("aig 4 2 1 1 1\n8 1\n5\n\x04\x02"), step) << "it begins with 1";
+  EXPECT_EQ(without_registers(step), step);
+}
+
 TEST(AigerTest, OtherFilesAreRefused) {
   EXPECT_THROW(with_constant_inputs("", {}), RtlError);
+  EXPECT_THROW(without_registers("aag 0 0 0 0 0\n"), RtlError);
+  EXPECT_THROW(without_registers(Circuit.substr(0, Head.size() + 5)), RtlError);
   EXPECT_THROW(with_constant_inputs("aag 0 0 0 0 0\n", {}), RtlError);
   EXPECT_THROW(with_constant_inputs(Circuit.substr(0, Head.size() + 5), {}), RtlError);
   EXPECT_THROW(with_constant_inputs("aig 4 2 1 1 1 1\n8\n5\n\x04\x02", {}), RtlError)

@@ -1,0 +1,63 @@
+// What yosys-abc is asked of: circuits of a unit and its mutants, in AIGER.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tb/signoff/mutant_netlist.h"
+#include "tb/twin/legal_inputs.h"
+#include "tb/twin/port_traffic.h"
+
+namespace racebeam {
+
+/// What a proof is asked of: `ports` of the unit, without clocks of traffic.
+struct ProofOfMutants {
+  const MutantNetlist& netlist;
+  const PortTraffic& ports;
+  const LegalInputs& legal;
+  std::chrono::milliseconds limit;  ///< for each mutant
+};
+
+/// A circuit with some mutants in it, of which an input chooses one.
+class MutantCircuit {
+ public:
+  MutantCircuit() = default;
+  /// `map` tells which input of the circuit is which, as yosys' write_aiger -map does.
+  MutantCircuit(std::string aiger, const std::string& map);
+  bool empty() const { return aiger_.empty(); }
+  /// With that mutant chosen, or none, 0.
+  std::string with(int number) const;
+
+ private:
+  std::string aiger_;
+  std::vector<std::size_t> choice_;  // the inputs that choose a mutant, the lowest bit first
+};
+
+/// The unit and the mutant side by side; all registers start at 0 and see one clock of reset, then
+/// any inputs that a chip can have. The only output is 1 when outputs of the two differ.
+/// Registers without a reset start equal so.
+std::string miter_module(const ProofOfMutants& proof);
+/// The mutant alone; inputs that no chip has are replaced by one that it can have.
+std::string step_module(const ProofOfMutants& proof);
+
+struct MutantCircuits {
+  MutantCircuit miter, step;
+  std::string miter_map;
+};
+
+/// Throws RtlError, MissingTool, Interrupted.
+MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants);
+
+/// What the circuits follow from, but for netlist, mutant and miter_module().
+std::string circuit_commands();
+
+/// Whether a chip can have these inputs: a row for each clock, in it a value for each input.
+bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<std::uint64_t>>& rows);
+
+}  // namespace racebeam
