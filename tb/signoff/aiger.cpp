@@ -3,19 +3,13 @@
 #include "tb/signoff/aiger.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <sstream>
-#include <vector>
 
 #include "sc/swap/rtl_library.h"
 
 namespace racebeam {
 
 namespace {
-
-// A literal is twice the number of its variable, and one more if it is inverted; variable 0 is the
-// constant 0. Inputs are the variables from 1, then come registers, then gates.
-using Literal = std::uint32_t;
 
 constexpr unsigned More = 0x80, Digit = 0x7f;  // of a number in a file
 constexpr int DigitBits = 7;
@@ -32,6 +26,14 @@ class Reader {
     at_ = end + 1;
     return line;
   }
+  Literal literal() {
+    std::istringstream words(line());
+    Literal literal;
+    if (!(words >> literal)) refuse();
+    // What a register begins with.
+    if (std::string more; words >> more && more != "0") refuse();
+    return literal;
+  }
   Literal number() {
     Literal value = 0;
     for (int shift = 0;; shift += DigitBits) {
@@ -41,28 +43,11 @@ class Reader {
       if ((byte & More) == 0) return value;
     }
   }
-  std::string rest() const { return text_.substr(at_); }
 
  private:
   const std::string& text_;
   std::size_t at_ = 0;
 };
-
-struct Head {
-  std::size_t variables, inputs, registers, outputs, gates;
-};
-
-Head head_of(const std::string& line) {
-  Head head{};
-  std::string kind;
-  std::size_t others = 0;
-  std::istringstream words(line);
-  if (!(words >> kind >> head.variables >> head.inputs >> head.registers >> head.outputs >>
-        head.gates) ||
-      kind != "aig" || words >> others)
-    refuse();
-  return head;
-}
 
 void write_number(std::string& out, Literal value) {
   for (; value > Digit; value >>= DigitBits) out += static_cast<char>((value & Digit) | More);
@@ -71,54 +56,87 @@ void write_number(std::string& out, Literal value) {
 
 }  // namespace
 
-std::string with_constant_inputs(const std::string& aiger,
-                                 const std::map<std::size_t, bool>& constants) {
-  Reader in(aiger);
-  std::string out = in.line() + "\n";
-  const Head head = head_of(out);
-  const auto tied = [&](Literal literal) {
-    const std::size_t variable = literal / 2;
-    const auto constant = variable == 0 ? constants.end() : constants.find(variable - 1);
-    if (constant == constants.end() || variable > head.inputs) return literal;
-    return static_cast<Literal>(constant->second) ^ (literal & 1);
-  };
-  // Of a register its next value, and maybe what it begins with.
-  for (std::size_t n = 0; n < head.registers + head.outputs; ++n) {
-    std::istringstream words(in.line());
-    Literal literal;
-    std::string begin;
-    if (!(words >> literal)) refuse();
-    out += std::to_string(tied(literal));
-    if (words >> begin) out += " " + begin;
-    out += "\n";
-  }
-  for (std::size_t n = 0; n < head.gates; ++n) {
-    const auto gate = static_cast<Literal>(2 * (head.inputs + head.registers + 1 + n));
-    const Literal was_left = gate - in.number(), was_right = was_left - in.number();
-    if (was_left >= gate || was_right > was_left) refuse();
-    const Literal left = tied(was_left), right = tied(was_right);
-    write_number(out, gate - std::max(left, right));
-    write_number(out, std::max(left, right) - std::min(left, right));
-  }
-  return out + in.rest();
+Literal AndCircuit::all(Literal a, Literal b) {
+  if (a == False || b == False || a == (b ^ 1)) return False;
+  if (a == True || a == b) return b;
+  if (b == True) return a;
+  gates.push_back({a, b});
+  return register_at(next.size() + gates.size() - 1);
 }
 
-// Variables keep their numbers: registers come behind the inputs already. Names would be wrong.
-std::string without_registers(const std::string& aiger) {
+AndCircuit read_circuit(const std::string& aiger) {
   Reader in(aiger);
-  const Head head = head_of(in.line());
+  std::string kind;
+  std::size_t variables, registers, outputs, gates, others = 0;
+  AndCircuit circuit;
+  std::istringstream head(in.line());
+  if (!(head >> kind >> variables >> circuit.inputs >> registers >> outputs >> gates) ||
+      kind != "aig" || head >> others)
+    refuse();
+  for (std::size_t n = 0; n < registers; ++n) circuit.next.push_back(in.literal());
+  for (std::size_t n = 0; n < outputs; ++n) circuit.outputs.push_back(in.literal());
+  for (std::size_t n = 0; n < gates; ++n) {
+    const Literal gate = circuit.register_at(registers + n);
+    const Literal left = gate - in.number(), right = left - in.number();
+    if (left >= gate || right > left) refuse();
+    circuit.gates.push_back({left, right});
+  }
+  return circuit;
+}
+
+std::string aiger_of(const AndCircuit& circuit) {
+  const std::size_t registers = circuit.next.size(), gates = circuit.gates.size();
   std::string out = "aig";
-  for (const std::size_t count : {head.variables, head.inputs + head.registers, std::size_t{0},
-                                  head.outputs + head.registers, head.gates})
+  for (const std::size_t count : {circuit.inputs + registers + gates, circuit.inputs, registers,
+                                  circuit.outputs.size(), gates})
     out += " " + std::to_string(count);
   out += "\n";
-  for (std::size_t n = 0; n < head.registers + head.outputs; ++n) {
-    const std::string line = in.line();
-    out += line.substr(0, line.find(' ')) + "\n";
+  for (const auto* literals : {&circuit.next, &circuit.outputs})
+    for (const Literal literal : *literals) out += std::to_string(literal) + "\n";
+  for (std::size_t n = 0; n < gates; ++n) {
+    const auto [least, most] = std::minmax(circuit.gates[n][0], circuit.gates[n][1]);
+    write_number(out, circuit.register_at(registers + n) - most);
+    write_number(out, most - least);
   }
-  for (std::size_t n = 0; n < head.gates; ++n)
-    for (int side = 0; side < 2; ++side) write_number(out, in.number());
   return out;
+}
+
+AndCircuit with_constant_inputs(AndCircuit circuit, const std::map<std::size_t, bool>& constants) {
+  const auto tie = [&](Literal& literal) {
+    const std::size_t variable = literal / 2;
+    if (variable == 0 || variable > circuit.inputs) return;
+    const auto constant = constants.find(variable - 1);
+    if (constant != constants.end())
+      literal = static_cast<Literal>(constant->second) ^ (literal & 1);
+  };
+  for (auto* literals : {&circuit.next, &circuit.outputs})
+    for (Literal& literal : *literals) tie(literal);
+  for (auto& gate : circuit.gates)
+    for (Literal& side : gate) tie(side);
+  return circuit;
+}
+
+// Variables keep their numbers: registers come behind the inputs already.
+AndCircuit without_registers(AndCircuit circuit) {
+  circuit.inputs += circuit.next.size();
+  circuit.outputs.insert(circuit.outputs.begin(), circuit.next.begin(), circuit.next.end());
+  circuit.next.clear();
+  return circuit;
+}
+
+CircuitLanes::CircuitLanes(const AndCircuit& circuit)
+    : circuit_(circuit), values_(1 + circuit.inputs + circuit.next.size() + circuit.gates.size()) {}
+
+void CircuitLanes::settle() {
+  const std::size_t first = values_.size() - circuit_.gates.size();
+  for (std::size_t n = 0; n < circuit_.gates.size(); ++n)
+    values_[first + n] = of(circuit_.gates[n][0]) & of(circuit_.gates[n][1]);
+}
+
+void CircuitLanes::clock() {
+  std::vector<std::uint64_t> next;
+  for (const Literal literal : circuit_.next) next.push_back(of(literal));
+  std::copy(next.begin(), next.end(), &register_at(0));
 }
 
 }  // namespace racebeam

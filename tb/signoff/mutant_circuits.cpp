@@ -25,6 +25,7 @@ constexpr int Enumerated = 16;  // bits of an input whose values are all looked 
 constexpr int Samples = 4096;   // of wider ones
 constexpr const char* Miter = "racebeam_miter";
 constexpr const char* Step = "racebeam_step";
+constexpr const char* Unit = "racebeam_unit";
 constexpr const char* Lowering =
     "flatten\nmemory\nopt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
     "setundef -undriven -init -zero\naigmap\nopt_clean\n";
@@ -108,6 +109,27 @@ std::string instance(const ProofOfMutants& proof, const std::string& module, boo
   return text + ");\n";
 }
 
+/// The mutants alone, or the unit; inputs that no chip has are replaced by one that it can have.
+std::string step_module(const ProofOfMutants& proof, const char* name, bool mutants) {
+  std::string outputs, wires;
+  for (const PortTraffic::Port& port : proof.ports.ports) {
+    if (!port.input) {
+      outputs += fmt::format(", output {}{}", range(port.bits), port.name);
+      continue;
+    }
+    const std::string condition = legal_condition(proof.legal, port);
+    wires +=
+        fmt::format("  wire {0}legal_{1} = {2} ? {1} : {3}'d{4};\n", range(port.bits), port.name,
+                    condition.empty() ? "1" : condition, port.bits, formed(proof.legal, port, 0));
+  }
+  return fmt::format("module {} ({}{});\n", name, all_inputs(proof), outputs) + wires +
+         instance(proof, "is_unit", mutants,
+                  [](const PortTraffic::Port& port) {
+                    return (port.input ? "legal_" : "") + port.name;
+                  }) +
+         "endmodule\n";
+}
+
 }  // namespace
 
 std::string miter_module(const ProofOfMutants& proof) {
@@ -139,33 +161,14 @@ std::string miter_module(const ProofOfMutants& proof) {
          fmt::format("  assign differs = started && kept && legal && ({});\nendmodule\n", differ);
 }
 
-std::string step_module(const ProofOfMutants& proof) {
-  std::string outputs, wires;
-  for (const PortTraffic::Port& port : proof.ports.ports) {
-    if (!port.input) {
-      outputs += fmt::format(", output {}{}", range(port.bits), port.name);
-      continue;
-    }
-    const std::string condition = legal_condition(proof.legal, port);
-    wires +=
-        fmt::format("  wire {0}legal_{1} = {2} ? {1} : {3}'d{4};\n", range(port.bits), port.name,
-                    condition.empty() ? "1" : condition, port.bits, formed(proof.legal, port, 0));
-  }
-  return fmt::format("module {} ({}{});\n", Step, all_inputs(proof), outputs) + wires +
-         instance(proof, "is_unit", true,
-                  [](const PortTraffic::Port& port) {
-                    return (port.input ? "legal_" : "") + port.name;
-                  }) +
-         "endmodule\n";
-}
-
 std::string circuit_commands() { return Lowering; }
 
 MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
   const WorkFolder work;
   work.write("plain.il", proof.netlist.rtlil);
   work.write("miter.v", miter_module(proof));
-  work.write("step.v", step_module(proof));
+  work.write("step.v", step_module(proof, Step, true));
+  work.write("unit.v", step_module(proof, Unit, false));
   const std::string& unit = proof.ports.unit;
   const std::string mutated =
       fmt::format("read_rtlil plain.il\n{}rename {} is_unit\n",
@@ -177,32 +180,48 @@ MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mu
         top, name, Lowering);
   };
   run_yosys(fmt::format("read_rtlil plain.il\nrename {} was_unit\n", unit) + mutated +
-                written(Miter, "miter") + mutated + written(Step, "step"),
+                written(Miter, "miter") + mutated + written(Step, "step") +
+                fmt::format("read_rtlil plain.il\nrename {} is_unit\n", unit) +
+                written(Unit, "unit"),
             work.path(), unit);
   const auto read = [&work](const char* name) { return whole_file(work.file(name)); };
+  const MutantCircuit alone(read("unit.aig"), read("unit.map"));
+  const MutantCircuit step(read("step.aig"), read("step.map"));
   return {{read("miter.aig"), read("miter.map")},
-          {read("step.aig"), read("step.map")},
-          read("miter.map")};
+          step,
+          read("miter.map"),
+          words_as_in(alone.named(), step.named())};
 }
 
-MutantCircuit::MutantCircuit(std::string aiger, const std::string& map) : aiger_(std::move(aiger)) {
+MutantCircuit::MutantCircuit(const std::string& aiger, const std::string& map)
+    : named_{read_circuit(aiger), {}, {}} {
+  std::map<std::string, RegisterWord> words;
   std::istringstream lines(map);
   for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
+    std::istringstream fields(line);
     std::string kind, name;
     std::size_t at, bit;
-    if (!(words >> kind >> at >> bit >> name) || kind != "input" || name != MutantInput) continue;
+    if (!(fields >> kind >> at >> bit >> name)) continue;
+    if (kind == "latch") words[name].push_back(at);
+    if (kind != "input") continue;
+    if (name != MutantInput) {
+      named_.inputs[fmt::format("{} {}", name, bit)] = at;
+      continue;
+    }
     choice_.resize(std::max(choice_.size(), bit + 1));
     choice_[bit] = at;
   }
+  for (const auto& [name, word] : words) named_.words.push_back(word);
 }
 
-std::string MutantCircuit::with(int number) const {
+AndCircuit MutantCircuit::with(int number) const {
   std::map<std::size_t, bool> constants;
   for (std::size_t bit = 0; bit < choice_.size(); ++bit)
     constants[choice_[bit]] = ((number >> bit) & 1) != 0;
-  return with_constant_inputs(aiger_, constants);
+  return with_constant_inputs(named_.circuit, constants);
 }
+
+NamedCircuit MutantCircuit::named() const { return {with(0), named_.inputs, named_.words}; }
 
 bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<Raw>>& rows) {
   for (const auto& row : rows) {

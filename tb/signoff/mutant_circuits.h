@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "tb/signoff/aiger.h"
 #include "tb/signoff/mutant_netlist.h"
+#include "tb/signoff/state_values.h"
 #include "tb/twin/legal_inputs.h"
 #include "tb/twin/port_traffic.h"
 
@@ -27,15 +29,15 @@ struct ProofOfMutants {
 /// A circuit with some mutants in it, of which an input chooses one.
 class MutantCircuit {
  public:
-  MutantCircuit() = default;
-  /// `map` tells which input of the circuit is which, as yosys' write_aiger -map does.
-  MutantCircuit(std::string aiger, const std::string& map);
-  bool empty() const { return aiger_.empty(); }
+  /// `map` tells which input and register of the circuit is which, as yosys' write_aiger -map does.
+  MutantCircuit(const std::string& aiger, const std::string& map);
   /// With that mutant chosen, or none, 0.
-  std::string with(int number) const;
+  AndCircuit with(int number) const;
+  /// Without a mutant; those inputs are not named.
+  NamedCircuit named() const;
 
  private:
-  std::string aiger_;
+  NamedCircuit named_;
   std::vector<std::size_t> choice_;  // the inputs that choose a mutant, the lowest bit first
 };
 
@@ -43,12 +45,13 @@ class MutantCircuit {
 /// any inputs that a chip can have. The only output is 1 when outputs of the two differ.
 /// Registers without a reset start equal so.
 std::string miter_module(const ProofOfMutants& proof);
-/// The mutant alone; inputs that no chip has are replaced by one that it can have.
-std::string step_module(const ProofOfMutants& proof);
 
 struct MutantCircuits {
-  MutantCircuit miter, step;
+  MutantCircuit miter;
+  MutantCircuit
+      step;  ///< mutants alone; inputs that no chip has are replaced by one that it can have
   std::string miter_map;
+  std::vector<RegisterWord> words;  ///< of the step
 };
 
 /// Throws RtlError, MissingTool, Interrupted.

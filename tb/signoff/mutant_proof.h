@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,7 @@ class MutantProofs {
 
   std::string key_of(int number) const;
   void read_map(const std::string& text);
+  std::string step_of(int number) const;
   bool is_same_step(int number) const;
   double seconds() const;
   Inputs read_counterexample(const std::string& text) const;
@@ -58,7 +60,8 @@ class MutantProofs {
 
   const ProofOfMutants proof_;
   const std::string miter_;
-  MutantCircuits circuits_;  // without a mutant that has to be proved, none
+  std::optional<MutantCircuits> circuits_;  // if a mutant has to be proved
+  StateValues states_;
   std::vector<InputBit> bits_;
 };
 
