@@ -115,7 +115,7 @@ MutantProof MutantProofs::prove(int number) const {
 /// One clock of a mutant, in states that the unit can have; in others all outputs are 0.
 std::string MutantProofs::step_of(int number) const {
   const AndCircuit circuit = circuits_->step.with(number);
-  AndCircuit step = without_registers(circuit);
+  AndCircuit step = states_.one_clock(circuit);
   const Literal possible = states_.hold(step, state_inputs(step, circuit.next.size()));
   for (Literal& output : step.outputs) output = step.all(output, possible);
   return aiger_of(step);

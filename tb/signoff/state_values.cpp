@@ -155,13 +155,21 @@ void StateValues::forget_free() {
   groups_.erase(std::remove_if(groups_.begin(), groups_.end(), free), groups_.end());
 }
 
+AndCircuit StateValues::one_clock(const AndCircuit& circuit) const {
+  std::map<std::size_t, bool> tied;
+  for (const auto& [at, value] : constants()) tied[circuit.inputs + at] = value;
+  return with_constant_inputs(without_registers(circuit), tied);
+}
+
 /// Whether it is known that no clock leads out of the values.
 bool StateValues::close(const AndCircuit& circuit, std::chrono::steady_clock::time_point end) {
   while (!groups_.empty()) {
-    AndCircuit question = without_registers(circuit);
-    const std::size_t registers = circuit.next.size();
-    const Literal before = hold(question, state_inputs(question, registers));
-    question.outputs = {question.all(before, hold(question, circuit.next) ^ 1)};
+    AndCircuit question = one_clock(circuit);
+    const std::vector<Literal> next(
+        question.outputs.begin(),
+        question.outputs.begin() + static_cast<std::ptrdiff_t>(circuit.next.size()));
+    const Literal before = hold(question, state_inputs(question, circuit.next.size()));
+    question.outputs = {question.all(before, hold(question, next) ^ 1)};
     bool known = question.outputs[0] == False;
     if (known) return true;
     const std::vector<bool> inputs = inputs_that_make(question, known);
@@ -175,6 +183,17 @@ bool StateValues::close(const AndCircuit& circuit, std::chrono::steady_clock::ti
     forget_free();
   }
   return true;
+}
+
+std::map<std::size_t, bool> StateValues::constants() const {
+  std::map<std::size_t, bool> constants;
+  for (const Group& group : groups_)
+    for (std::size_t bit = 0; bit < group.bits.size(); ++bit) {
+      unsigned all = ~0u, any = 0;
+      for (const unsigned value : group.values) all &= value, any |= value;
+      if (((all ^ any) >> bit & 1) == 0) constants[group.bits[bit]] = (any >> bit & 1) != 0;
+    }
+  return constants;
 }
 
 Literal StateValues::hold(AndCircuit& circuit, const std::vector<Literal>& state) const {

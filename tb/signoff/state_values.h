@@ -30,6 +30,9 @@ class StateValues {
   StateValues(const AndCircuit& circuit, const std::vector<RegisterWord>& words,
               std::chrono::seconds limit);
 
+  /// One clock of a circuit, as without_registers() makes it, in which registers that always have
+  /// the same value are constants.
+  AndCircuit one_clock(const AndCircuit& circuit) const;
   /// Whether all registers have such values, in a circuit in which `state` is their values.
   Literal hold(AndCircuit& circuit, const std::vector<Literal>& state) const;
 
@@ -39,6 +42,7 @@ class StateValues {
     std::set<unsigned> values;
   };
 
+  std::map<std::size_t, bool> constants() const;
   void run_a_while(const AndCircuit& circuit);
   void take(const AndCircuit& circuit, const CircuitLanes& lanes, std::uint64_t which);
   void forget_free();
