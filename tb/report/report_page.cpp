@@ -212,8 +212,8 @@ std::string report_page(const SweepReader& reader) {
       front_section(sweep) + knobs_sections(sweep, parts) + parts_sections(sweep, parts);
   const auto behind = [&](const ReportPictures& pictures) {
     const std::string points =
-        "<div class=\"controls scripted\"><label>only points with <input id=\"only\" "
-        "type=\"search\" placeholder=\"a name or a word\"></label></div>\n" +
+        "<div class=\"controls scripted\"><label>only points with these names or words "
+        "<input id=\"only\" type=\"search\"></label></div>\n" +
         points_table(sweep, pictures);
     return section("points", "All points",
                    sweep.points.empty() ? absent("no point has been begun") : points) +
