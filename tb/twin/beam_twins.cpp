@@ -37,6 +37,10 @@ auto in_bits(int bits) {
 auto in_signed_bits(int bits) {
   return [bits](Raw raw) { return static_cast<Raw>(signed_bits(raw, bits)); };
 }
+Raw step_size(Raw raw) {
+  const bool is_one = raw != 0 && (raw & (raw - 1)) == 0 && raw >> PixelBits == 0;
+  return is_one ? raw : Raw{1} << raw % PixelBits;
+}
 auto below(int count) {
   return [count](Raw raw) { return raw % static_cast<Raw>(count); };
 }
@@ -79,13 +83,13 @@ LegalInputs beam_inputs(const knobs& k) {
       {"look_portal", in_bits(portal_bits)},
       {"look_way", below(portals ? 3 : 1)},
       {"sp_", below(k.interval_stack_depth)},
-      {"step_size", [](Raw raw) { return Raw{1} << raw % PixelBits; }},
+      {"step_size", step_size},
       {"look_axis", below(3)},
       {"nav_axis", below(3)},
       {"hit_face", below(3)},
       {"src", below(3)},
       {"palette", below(TablePalette + 1)},
-      {"y_i", [](Raw raw) { return static_cast<Raw>(FirstLine) + raw % FrameLines; }},
+      scan_line(),
   });
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "sc/base/constants.h"
 #include "sc/block/block_parameters.h"
 #include "sc/block/codes.h"
 
@@ -18,7 +17,7 @@ LegalInputs block_inputs_of(const block_knobs& k) {
   using Raw = std::uint64_t;
   const auto blocks_of = [](int pixels) {
     return [blocks = static_cast<Raw>((pixels + BlockSide - 1) / BlockSide)](Raw raw) {
-      return raw % blocks * BlockSide;
+      return raw / BlockSide % blocks * BlockSide;
     };
   };
   // Mostly a number that is not 0 when it is converted; any at times.
@@ -37,7 +36,6 @@ LegalInputs block_inputs_of(const block_knobs& k) {
       {"width_i", always(k.columns())},
       {"height_i", always(k.rows())},
       {"spheres_i", [](Raw raw) { return raw % (BlockEntries + 1); }},
-      {"y_i", [](Raw raw) { return static_cast<Raw>(FirstLine) + raw % FrameLines; }},
   });
 }
 

@@ -11,12 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "sc/base/constants.h"
+#include "sc/base/fixed_point.h"
+
 namespace racebeam {
 
 class LegalInputs {
  public:
-  /// For inputs whose name begins with `start`: makes of any value one that the chip can have, or
-  /// one that it is likely to have; then the others are legal too.
+  /// For inputs whose name begins with `start`: makes of any value one that the chip can have, and
+  /// leaves that as it is; or one that it is likely to have, then the others are legal too.
   struct Rule {
     std::string start;
     std::function<std::uint64_t(std::uint64_t raw)> form;
@@ -45,5 +48,15 @@ class LegalInputs {
 
   std::vector<Rule> rules_;
 };
+
+/// Of an input `y_i` that is a scan line: signed, 10 bits, FirstLine to LastLine.
+inline LegalInputs::Rule scan_line() {
+  return {"y_i", [](std::uint64_t raw) {
+            constexpr int LineBits = 10;
+            const std::int64_t line = signed_bits(raw, LineBits);
+            const bool is_line = line >= FirstLine && line <= LastLine;
+            return is_line ? raw : static_cast<std::uint64_t>(FirstLine) + raw % FrameLines;
+          }};
+}
 
 }  // namespace racebeam

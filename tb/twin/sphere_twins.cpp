@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "sc/base/constants.h"
 #include "sc/sphere/sphere_parameters.h"
 #include "tb/twin/table_file.h"
 
@@ -20,12 +19,6 @@ PluginMaker sphere_plugins(const sphere_knobs& k, const sphere_tables& scene, bo
     return {{"PlaneFile", table_file(planes), "the scene's table of planes"}};
   };
   return PluginMaker(sphere_parameters(k, scene), table_of, traced);
-}
-
-LegalInputs sphere_inputs_of(const sphere_knobs&) {
-  return LegalInputs({{"y_i", [](std::uint64_t raw) {
-                         return static_cast<std::uint64_t>(FirstLine) + raw % FrameLines;
-                       }}});
 }
 
 }  // namespace racebeam

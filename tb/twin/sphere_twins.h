@@ -1,4 +1,4 @@
-// What comparisons of model and RTL are told of the units of sphere.
+// What makes plug-ins of the units of sphere.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -6,7 +6,6 @@
 
 #include "sc/sphere/knobs.h"
 #include "sc/sphere/sphere_scene.h"
-#include "tb/twin/legal_inputs.h"
 #include "tb/twin/plugin_maker.h"
 
 namespace racebeam {
@@ -14,8 +13,5 @@ namespace racebeam {
 /// Plug-ins for sphere tracers with the knobs `k` that show a scene. `traced`: signals inside the
 /// RTL can be read.
 PluginMaker sphere_plugins(const sphere_knobs& k, const sphere_tables& scene, bool traced = false);
-
-/// What can come to the units of a sphere tracer.
-LegalInputs sphere_inputs_of(const sphere_knobs& k);
 
 }  // namespace racebeam

@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "sc/beam/engine.h"
 #include "sc/beam/knob_parameters.h"
@@ -19,6 +20,7 @@
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_host_link.h"
 #include "sc/sphere/sphere_tracer.h"
+#include "sc/store/frame_scanout.h"
 #include "sc/video/vga_timing.h"
 #include "sc/voxel/engine.h"
 #include "sc/voxel/voxel_builder.h"
@@ -54,7 +56,7 @@ Twins beam() {
           [](const knob_values& k, const scene_tables* scene, bool traced) {
             return beam_plugins(k, scene, traced);
           },
-          [](const knob_values& k) { return beam_inputs(k); },
+          [](const knob_values& k, const std::string&) { return beam_inputs(k); },
           [](const knob_values& k, const scene_tables* scene) {
             return !scene && without_pins(k) == knobs();
           },
@@ -71,23 +73,29 @@ Twins beam() {
 // It has the pins of a memory that the chip has inside.
 bool no_top(const knob_values&, const scene_tables*) { return false; }
 
+/// `others`, or those of the unit that reads the frame memory.
+LegalInputs inputs_of(const std::string& unit, LegalInputs others) {
+  return unit == frame_scanout::unit_name ? LegalInputs({scan_line()}) : std::move(others);
+}
+
 const sphere_tables& tables_of(const scene_tables* scene) {
   static const sphere_tables built_in;
   return scene ? *static_cast<const sphere_tables*>(scene) : built_in;
 }
 
 Twins sphere() {
-  return {sphere_engine(),
-          [](const knob_values& k, const scene_tables* scene, bool traced) {
-            return sphere_plugins(k, tables_of(scene), traced);
-          },
-          [](const knob_values& k) { return sphere_inputs_of(k); },
-          no_top,
-          {{sphere_tracer::unit_name, "to the end of two pictures", TracerWalk::Clocks,
-            begin_walk<TracerWalk>},
-           {sphere_host_link::unit_name, "until no CPU is there", HostWalk::Clocks,
-            begin_walk<HostWalk>},
-           through_a_frame()}};
+  return {
+      sphere_engine(),
+      [](const knob_values& k, const scene_tables* scene, bool traced) {
+        return sphere_plugins(k, tables_of(scene), traced);
+      },
+      [](const knob_values&, const std::string& unit) { return inputs_of(unit, LegalInputs({})); },
+      no_top,
+      {{sphere_tracer::unit_name, "to the end of two pictures", TracerWalk::Clocks,
+        begin_walk<TracerWalk>},
+       {sphere_host_link::unit_name, "until no CPU is there", HostWalk::Clocks,
+        begin_walk<HostWalk>},
+       through_a_frame()}};
 }
 
 Twins block() {
@@ -96,7 +104,9 @@ Twins block() {
       [](const knob_values& k, const scene_tables*, bool traced) {
         return block_plugins(k, traced);
       },
-      [](const knob_values& k) { return block_inputs_of(k); },
+      [](const knob_values& k, const std::string& unit) {
+        return inputs_of(unit, block_inputs_of(k));
+      },
       no_top,
       {{block_core::unit_name, "through whole blocks", BlockWalk::Clocks, begin_walk<BlockWalk>},
        {block_scheduler::unit_name, "through pictures", DealWalk::Clocks, begin_walk<DealWalk>},
@@ -109,7 +119,9 @@ Twins voxel() {
       [](const knob_values& k, const scene_tables*, bool traced) {
         return voxel_plugins(k, traced);
       },
-      [](const knob_values& k) { return voxel_inputs_of(k); },
+      [](const knob_values& k, const std::string& unit) {
+        return inputs_of(unit, voxel_inputs_of(k));
+      },
       no_top,
       {{voxel_builder::unit_name, "through the world", BuildWalk::Clocks, begin_walk<BuildWalk>},
        {voxel_scan::unit_name, "to the end of a picture", PictureWalk::Clocks,

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "sc/base/constants.h"
 #include "sc/voxel/voxel_levels.h"
 #include "sc/voxel/voxel_parameters.h"
 
@@ -37,7 +36,6 @@ LegalInputs voxel_inputs_of(const voxel_knobs& k) {
       {"t_from_i", mostly_below(Way), true},
       {"t_to_i", mostly_below(Way), true},
       {"step_i", mostly_below(Step), true},
-      {"y_i", [](Raw raw) { return static_cast<Raw>(FirstLine) + raw % FrameLines; }},
   });
 }
 
