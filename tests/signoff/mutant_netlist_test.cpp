@@ -18,6 +18,7 @@ namespace racebeam {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -60,6 +61,24 @@ TEST(MutantNetlist, RtlElsewhereDoesNotTellWhereItLies) {
   for (const char* file : {"beside.sv:1", "part.v:1", "text.svh:1"})
     EXPECT_THAT(netlist.rtlil, HasSubstr(file)) << "is read";
   EXPECT_FALSE(netlist.mutants.empty());
+}
+
+TEST(MutantNetlist, OfATableMistakesAreInWhatIsReadOnly) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "rows.mem") << "3\nc\n5\n9\n";
+  std::ofstream(folder / "rom.sv")
+      << "module rom (input wire [1:0] a_i, output wire [3:0] out_o);\nlogic [3:0] rows[4];\n"
+         "initial $readmemh(\"" +
+             std::string(folder / "rows.mem") +
+             "\", rows);\nassign out_o = rows[a_i];\nendmodule\n";
+  RtlSources sources;
+  sources.top = "rom";
+  sources.files = {folder / "rom.sv"};
+  const MutantNetlist netlist = mutant_netlist(sources, 200, 1);
+  EXPECT_THAT(netlist.rtlil, HasSubstr("$meminit"));
+  EXPECT_FALSE(netlist.mutants.empty());
+  for (const Mutant& mutant : netlist.mutants)
+    EXPECT_THAT(mutant.name, ContainsRegex("memrd.* (ADDR|DATA|CLK)"));
 }
 
 TEST(MutantNetlist, KeptStreamsNameNoFileByItsPlaceOnAMachine) {
