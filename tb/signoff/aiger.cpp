@@ -64,6 +64,17 @@ Literal AndCircuit::all(Literal a, Literal b) {
   return register_at(next.size() + gates.size() - 1);
 }
 
+std::vector<Literal> AndCircuit::copy(const AndCircuit& circuit,
+                                      const std::vector<Literal>& values) {
+  std::vector<Literal> known{False};  // by variable
+  known.insert(known.end(), values.begin(), values.end());
+  const auto here = [&known](Literal literal) { return known[literal / 2] ^ (literal & 1); };
+  for (const auto& [a, b] : circuit.gates) known.push_back(all(here(a), here(b)));
+  std::vector<Literal> copied;
+  for (const Literal output : circuit.outputs) copied.push_back(here(output));
+  return copied;
+}
+
 AndCircuit read_circuit(const std::string& aiger) {
   Reader in(aiger);
   std::string kind;

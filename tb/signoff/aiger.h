@@ -28,6 +28,8 @@ struct AndCircuit {
   Literal register_at(std::size_t n) const { return input(inputs + n); }
   Literal all(Literal a, Literal b);  ///< of the two; a gate, if it needs one
   Literal any(Literal a, Literal b) { return all(a ^ 1, b ^ 1) ^ 1; }
+  /// The outputs of a circuit without registers, for those values of its inputs.
+  std::vector<Literal> copy(const AndCircuit& circuit, const std::vector<Literal>& values);
 };
 
 /// Throws RtlError if the text is none, or has registers that begin otherwise, or more than

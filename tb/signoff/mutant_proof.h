@@ -52,8 +52,7 @@ class MutantProofs {
 
   std::string key_of(int number) const;
   void read_map(const std::string& text);
-  std::string step_of(int number) const;
-  bool is_same_step(int number) const;
+  bool has_equal_steps(int number) const;
   double seconds() const;
   Inputs read_counterexample(const std::string& text) const;
   MutantProof ask(int number, const std::vector<Question>& questions) const;

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/signoff/state_values.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <random>
-#include <string>
 
-#include "tb/base/whole_file.h"
-#include "tb/verilate/cache_folder.h"
-#include "tb/verilate/run_tool.h"
+#include "tb/signoff/always_zero.h"
 
 namespace racebeam {
 
@@ -63,36 +58,15 @@ std::vector<Lanes> traces_of(const NamedCircuit& named) {
   return traces;
 }
 
-/// Inputs with which the only output is 1, or none; `known`: that there are none.
-std::vector<bool> inputs_that_make(const AndCircuit& question, bool& known) {
-  const WorkFolder work;
-  work.write("question.aig", aiger_of(question));
-  std::string said;
-  run_tools({{{"yosys-abc", "-q", "read_aiger question.aig; iprove; write_cex -a inputs"},
-              work.path(),
-              {},
-              {}}},
-            1, std::chrono::seconds(Seconds),
-            [&](std::size_t, const ToolResult& end) { said = end.said; });
-  known = said.find("UNSATISFIABLE") != std::string::npos;
-  if (known || said.find("SATISFIABLE") == std::string::npos) return {};
-  std::vector<bool> inputs;
-  for (const char c : whole_file(work.file("inputs"))) {
-    if (c == '#') break;
-    if (c == '0' || c == '1') inputs.push_back(c == '1');
-  }
-  if (inputs.size() != question.inputs) inputs.clear();
-  return inputs;
-}
-
-}  // namespace
-
+/// The registers of a circuit whose registers are its last inputs.
 std::vector<Literal> state_inputs(const AndCircuit& step, std::size_t registers) {
   std::vector<Literal> state;
   for (std::size_t n = 0; n < registers; ++n)
     state.push_back(step.input(step.inputs - registers + n));
   return state;
 }
+
+}  // namespace
 
 std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircuit& circuit) {
   const std::vector<Lanes> known = traces_of(like), traces = traces_of(circuit);
@@ -155,6 +129,7 @@ void StateValues::forget_free() {
   groups_.erase(std::remove_if(groups_.begin(), groups_.end(), free), groups_.end());
 }
 
+/// One clock of a circuit, as without_registers() makes it, in which those registers are constants.
 AndCircuit StateValues::one_clock(const AndCircuit& circuit) const {
   std::map<std::size_t, bool> tied;
   for (const auto& [at, value] : constants()) tied[circuit.inputs + at] = value;
@@ -170,10 +145,8 @@ bool StateValues::close(const AndCircuit& circuit, std::chrono::steady_clock::ti
         question.outputs.begin() + static_cast<std::ptrdiff_t>(circuit.next.size()));
     const Literal before = hold(question, state_inputs(question, circuit.next.size()));
     question.outputs = {question.all(before, hold(question, next) ^ 1)};
-    bool known = question.outputs[0] == False;
-    if (known) return true;
-    const std::vector<bool> inputs = inputs_that_make(question, known);
-    if (known) return true;
+    const auto [zero, inputs] = always_zero(question, std::chrono::seconds(Seconds));
+    if (zero) return true;
     if (inputs.empty() || std::chrono::steady_clock::now() > end) return false;
     CircuitLanes lanes(circuit);
     for (std::size_t n = 0; n < inputs.size(); ++n)
@@ -194,6 +167,18 @@ std::map<std::size_t, bool> StateValues::constants() const {
       if (((all ^ any) >> bit & 1) == 0) constants[group.bits[bit]] = (any >> bit & 1) != 0;
     }
   return constants;
+}
+
+void StateValues::choose(std::mt19937_64& random, std::vector<Lanes>& state) const {
+  for (const Group& group : groups_) {
+    const std::vector<unsigned> values(group.values.begin(), group.values.end());
+    for (const std::size_t bit : group.bits) state[bit] = 0;
+    for (int lane = 0; lane < 64; ++lane) {
+      const unsigned value = values[random() % values.size()];
+      for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
+        state[group.bits[bit]] |= Lanes{(value >> bit) & 1} << lane;
+    }
+  }
 }
 
 Literal StateValues::hold(AndCircuit& circuit, const std::vector<Literal>& state) const {

@@ -9,7 +9,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,11 +32,12 @@ class StateValues {
   StateValues(const AndCircuit& circuit, const std::vector<RegisterWord>& words,
               std::chrono::seconds limit);
 
-  /// One clock of a circuit, as without_registers() makes it, in which registers that always have
-  /// the same value are constants.
-  AndCircuit one_clock(const AndCircuit& circuit) const;
   /// Whether all registers have such values, in a circuit in which `state` is their values.
   Literal hold(AndCircuit& circuit, const std::vector<Literal>& state) const;
+  /// Puts such values, in 64 lanes, where `state` has others.
+  void choose(std::mt19937_64& random, std::vector<std::uint64_t>& state) const;
+  /// Registers that always have the same value.
+  std::map<std::size_t, bool> constants() const;
 
  private:
   struct Group {
@@ -42,7 +45,7 @@ class StateValues {
     std::set<unsigned> values;
   };
 
-  std::map<std::size_t, bool> constants() const;
+  AndCircuit one_clock(const AndCircuit& circuit) const;
   void run_a_while(const AndCircuit& circuit);
   void take(const AndCircuit& circuit, const CircuitLanes& lanes, std::uint64_t which);
   void forget_free();
@@ -61,8 +64,5 @@ struct NamedCircuit {
 /// The words of `circuit` as `like` has them, which does the same with the same inputs. Only a
 /// guess: registers that have the same values in a short run are the same.
 std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircuit& circuit);
-
-/// The registers of a circuit whose registers are its last inputs.
-std::vector<Literal> state_inputs(const AndCircuit& step, std::size_t registers);
 
 }  // namespace racebeam

@@ -1,0 +1,101 @@
+// A mutant is equal if its registers are the unit's wherever they count.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/equal_steps.h"
+
+#include <gtest/gtest.h>
+
+namespace racebeam {
+namespace {
+
+bool are_equal(const AndCircuit& unit, const AndCircuit& mutant, const RegisterWord& word,
+               const StateValues& possible = {}) {
+  return EqualSteps(unit, mutant, possible, word)
+      .hold(std::chrono::steady_clock::now() + std::chrono::seconds(60));
+}
+
+Literal chosen(AndCircuit& circuit, Literal if_so, Literal a, Literal b) {
+  return circuit.any(circuit.all(if_so, a), circuit.all(if_so ^ 1, b));
+}
+
+/// Takes a bit when it starts, and shows it in the next clock, when it is busy. Registers: busy,
+/// and the bit. The mutant takes a bit whenever it is not busy.
+AndCircuit taker(bool mutant) {
+  AndCircuit circuit;
+  circuit.inputs = 2;
+  circuit.next = {False, False};
+  const Literal busy = circuit.register_at(0), bit = circuit.register_at(1);
+  const Literal starts = circuit.all(circuit.input(0), busy ^ 1);
+  circuit.next = {starts, chosen(circuit, mutant ? busy ^ 1 : starts, circuit.input(1), bit)};
+  circuit.outputs = {circuit.all(busy, bit), busy};
+  return circuit;
+}
+
+/// Goes from 0 to `first`, to the other of 1 and 2, and to 0 again; tells when it is 0.
+AndCircuit ring(unsigned first) {
+  AndCircuit circuit;
+  circuit.next = {False, False};
+  const Literal low = circuit.register_at(0), high = circuit.register_at(1);
+  const Literal none = circuit.all(low ^ 1, high ^ 1);
+  circuit.next = first == 1 ? std::vector<Literal>{none, low} : std::vector<Literal>{high, none};
+  circuit.outputs = {none};
+  return circuit;
+}
+
+TEST(EqualStepsTest, ACircuitIsEqualToItself) {
+  EXPECT_TRUE(are_equal(taker(false), taker(false), {}));
+  EXPECT_TRUE(are_equal(taker(false), taker(false), {0}));
+}
+
+TEST(EqualStepsTest, ARegisterNeedNotBeEqualWhereItDoesNotCount) {
+  EXPECT_TRUE(are_equal(taker(false), taker(true), {0}));
+  EXPECT_FALSE(are_equal(taker(false), taker(true), {})) << "it counts in some state";
+  EXPECT_FALSE(are_equal(taker(false), taker(true), {1})) << "the bit does not tell when";
+}
+
+TEST(EqualStepsTest, ARegisterThatIsNeverReadNeedNotBeEqualAtAll) {
+  AndCircuit unit = taker(false), mutant = taker(true);
+  for (AndCircuit* circuit : {&unit, &mutant}) circuit->outputs.erase(circuit->outputs.begin());
+  EXPECT_TRUE(are_equal(unit, mutant, {}));
+}
+
+TEST(EqualStepsTest, StatesMayHaveOtherNumbers) {
+  EXPECT_TRUE(are_equal(ring(1), ring(2), {0, 1}));
+  EXPECT_FALSE(are_equal(ring(1), ring(2), {0}));
+}
+
+TEST(EqualStepsTest, AnOutputMayNotDiffer) {
+  AndCircuit mutant = taker(false);
+  mutant.outputs[0] = mutant.all(mutant.outputs[0], mutant.input(0));
+  EXPECT_FALSE(are_equal(taker(false), mutant, {0}));
+}
+
+// Forty inputs have to be 1 in one clock: no random run shows it.
+TEST(EqualStepsTest, ARareDifferenceIsOneToo) {
+  AndCircuit unit;
+  unit.inputs = 40;
+  unit.next = {False};
+  AndCircuit mutant = unit;
+  Literal all = True;
+  for (std::size_t n = 0; n < mutant.inputs; ++n) all = mutant.all(all, mutant.input(n));
+  mutant.next = {all};
+  EXPECT_TRUE(are_equal(unit, mutant, {})) << "nobody reads the register";
+  unit.outputs = mutant.outputs = {unit.register_at(0)};
+  EXPECT_FALSE(are_equal(unit, mutant, {}));
+}
+
+// The register that differs is read only where the ring is at 3.
+TEST(EqualStepsTest, OnlyPossibleStatesCount) {
+  AndCircuit unit = ring(1), mutant;
+  const StateValues possible(unit, {{0, 1}}, std::chrono::seconds(60));
+  mutant = unit;
+  mutant.outputs = {
+      mutant.any(unit.outputs[0], mutant.all(mutant.register_at(0), mutant.register_at(1)))};
+  EXPECT_TRUE(are_equal(unit, mutant, {}, possible));
+  EXPECT_FALSE(are_equal(unit, mutant, {}));
+  EXPECT_TRUE(are_equal(unit, mutant, {0, 1})) << "a word's values are looked for, too";
+}
+
+}  // namespace
+}  // namespace racebeam
