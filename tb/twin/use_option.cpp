@@ -172,7 +172,12 @@ void UseOption::join(unit_choices& choices, bool islands) const {
 }
 
 void UseOption::lockstep(unit_choices& choices, const std::string& text) const {
-  if (text.find('=') == std::string::npos) return use_one(choices, text + "=lockstep", true);
+  const auto equals = text.find('=');
+  const std::string how = equals == std::string::npos ? "rtl" : text.substr(equals + 1);
+  if (how == "rtl") return use_one(choices, text.substr(0, equals) + "=lockstep", true);
+  if (how == "model")
+    throw UsageError(text + ": nothing is beside the model; write " + text.substr(0, equals) +
+                     " for its RTL, or the file to compare with it");
   unit_choices told;
   use_one(told, text, true);
   for (auto& [unit, choice] : told.by_unit)

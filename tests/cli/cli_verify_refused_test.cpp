@@ -42,6 +42,11 @@ TEST_F(CliVerifyRefusedTest, ARunThatComparesNothingIsNoSuccess) {
   expect_refused({"--frames", "0", "--random", "0", "--watch"}, "compare nothing");
 }
 
+TEST_F(CliVerifyRefusedTest, TheModelIsNotComparedWithItself) {
+  expect_refused({"navigator=model"}, "navigator=model: nothing is beside the model");
+  expect_refused({"all=model"}, "all=model: nothing is beside the model; write all for its RTL");
+}
+
 TEST_F(CliVerifyRefusedTest, WatchDoesNotWaitForWhatNoSavingMends) {
   expect_refused({"--watch", "--set", "nosuch=1"}, "unknown knob 'nosuch'");
   expect_refused({"--watch", "--set", "fifo_entries=0"}, "fifo_entries");
