@@ -134,7 +134,7 @@ module block_convert #(
       endcase
     end
     if (squares_radius) radius2_q <= radius2;
-    if (derive_q == 2'd2) norm2_q <= norm2;
+    if (derive_q[1]) norm2_q <= norm2;  // the same in both clocks
   end
 
   assign ready_o = derive_q == '0;

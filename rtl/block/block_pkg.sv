@@ -82,10 +82,10 @@ package block_pkg;
 
   // --- Arithmetic ------------------------------------------------------------------------------
   typedef logic signed [BlockBits-1:0] number;
-  typedef logic signed [2*BlockBits-1:0] product;
+  typedef logic signed [BlockFraction+BlockBits-1:0] product;  // what is above a number is dropped
   typedef logic [3*BlockBits-1:0] axes;  // {x, y, z}
 
-  /* verilator lint_off UNUSEDSIGNAL */  // what is below a fraction, or above a number
+  /* verilator lint_off UNUSEDSIGNAL */  // what is below a fraction
   function automatic number fixed_of(input product value);
     fixed_of = value[BlockFraction+:BlockBits];
   endfunction

@@ -105,7 +105,7 @@ module vga_timing #(
   assign consume_o = h_active_o && h_en;
   assign line_end_o = h_active_o && h_step;
   assign active_start_o = h_region_q == HBackPorch && h_step;
-  assign nav_line_o = v_region_q == VSync && v_pos_q == LastLine;
+  assign nav_line_o = v_region_q == VSync && v_pos_q[0];  // the second of two
   assign frame_end_o = line_end_o && nav_line_o;
 
   always_ff @(posedge clk_i) begin
