@@ -77,13 +77,14 @@ module divider_unit #(
   wire logic running = rises || (start_i && step_q != '0);
   wire logic divides = BusyClocks == DivideClocks || 32'(step_q) < BusyClocks;
   wire logic ends = running && step_q == LastStep;
-  wire number denominator = !rises ? denominator_q
-                            : denominator_i[Bits-1] ? -denominator_i : denominator_i;
   wire logic minus_below = denominator_i[Bits-1];
-  wire logic [2:0] minus = !rises ? minus_q : {
+  wire number magnitude = minus_below ? -denominator_i : denominator_i;
+  wire logic [2:0] signs = {
       numerator_z_i[sphere_pkg::NumeratorBits-1] ^ minus_below,
       numerator_y_i[sphere_pkg::NumeratorBits-1] ^ minus_below,
       numerator_x_i[sphere_pkg::NumeratorBits-1] ^ minus_below};
+  wire number denominator = rises ? magnitude : denominator_q;
+  wire logic [2:0] minus = rises ? signs : minus_q;
 
   wire lane from_x = rises ? loaded(numerator_x_i) : {rest_x_q, remainder_x_q, found_x_q};
   wire lane from_y = rises ? loaded(numerator_y_i) : {rest_y_q, remainder_y_q, found_y_q};
@@ -95,7 +96,7 @@ module divider_unit #(
   always_comb begin
     step_d = '0;
     if (running && !ends) step_d = step_q + 1'b1;
-    done_d = start_i && (ends || (done_q && !rises));
+    done_d = start_i && (ends || done_q);
   end
 
   wire logic by_zero = denominator == '0;
@@ -122,8 +123,10 @@ module divider_unit #(
       {rest_x_q, remainder_x_q, found_x_q} <= lane_x;
       {rest_y_q, remainder_y_q, found_y_q} <= lane_y;
       {rest_z_q, remainder_z_q, found_z_q} <= lane_z;
-      denominator_q <= denominator;
-      minus_q <= minus;
+    end
+    if (rises) begin
+      denominator_q <= magnitude;
+      minus_q <= signs;
     end
   end
 
@@ -131,6 +134,22 @@ module divider_unit #(
   assign quotient_y_o = quotient_y_q;
   assign quotient_z_o = quotient_z_q;
   assign done_o = done_q;
+
+`ifndef SYNTHESIS
+  // It has no more bits than were taken, and is less than the denominator.
+  function automatic logic is_small(input number remainder);
+    is_small = (remainder >> (32'(step_q) * StepBits)) == '0 &&
+               (denominator_q == '0 || remainder < denominator_q);
+  endfunction
+
+  always_ff @(posedge clk_i)
+    if (rst_ni && step_q != '0) begin
+      denominator_is_a_magnitude : assert (!denominator_q[Bits-1] || denominator_q[Bits-2:0] == '0);
+      remainder_x_is_small : assert (is_small(remainder_x_q));
+      remainder_y_is_small : assert (is_small(remainder_y_q));
+      remainder_z_is_small : assert (is_small(remainder_z_q));
+    end
+`endif
 endmodule
 
 `default_nettype wire

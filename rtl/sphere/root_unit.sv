@@ -19,35 +19,36 @@ module root_unit #(
     output logic [sphere_pkg::SphereBits-1:0] root_o,
     output logic done_o
 );
-  localparam int Digits = 22;  // 16 of a 12.12 number with 8 zeros before it, and 6 more
+  localparam int Digits = 22;  // 4 zeros, 12 of a 12.12 number, and 6 more
   localparam int Rounds = (Digits + RootBitsPerClock - 1) / RootBitsPerClock;
-  localparam int Rest = Digits - (Rounds - 1) * RootBitsPerClock;  // digits of the last round
-  localparam int RestBits = 32;
-  localparam int RootBits = 18;  // the others are 0
+  localparam int RootBits = 18;  // a digit each; the others are 0
+  localparam int Zeros = Rounds * RootBitsPerClock - RootBits;  // digits before those
+  localparam int RestBits = sphere_pkg::SphereBits + 2 * Zeros;
+  // Of what the last round adds to.
+  localparam int FoundBits = RootBitsPerClock < RootBits ? RootBits - RootBitsPerClock : 1;
+  localparam int RemainderBits = FoundBits + 1;
   localparam logic [4:0] LastStep = 5'(Rounds + 1);
 
   logic start_q, done_q, done_d;
-  logic [4:0] step_q, step_d;  // 0: idle, 1: loads, from 2 on: digits
+  logic [4:0] step_q, step_d;  // 0: idle, 1: loads, from 2 on: rounds
   logic [RestBits-1:0] rest_q, rest_d;  // of the radicand: the next two bits on top
-  // The last remainder, which has 19 bits, is not asked for.
-  logic [RootBits-1:0] remainder_q;
+  logic [RemainderBits-1:0] remainder_q;
   logic [RootBits+1:0] remainder_d, trial;
-  logic [RootBits-1:0] found_q, found_d;
-  logic [RootBits-1:0] root_q, root_d;
+  logic [FoundBits-1:0] found_q;
+  logic [RootBits-1:0] found_d, root_q, root_d;
 
   always_comb begin
     rest_d = rest_q;
-    remainder_d = {2'b00, remainder_q};
-    found_d = found_q;
+    remainder_d = (RootBits + 2)'(remainder_q);
+    found_d = RootBits'(found_q);
     trial = '0;
-    for (int n = 0; n < RootBitsPerClock; n++)
-      if (n < Rest || step_q != LastStep) begin
-        remainder_d = {remainder_d[RootBits-1:0], rest_d[RestBits-1-:2]};
-        rest_d = rest_d << 2;
-        trial = {found_d, 2'b01};
-        found_d = {found_d[RootBits-2:0], remainder_d >= trial};
-        if (found_d[0]) remainder_d = remainder_d - trial;
-      end
+    for (int n = 0; n < RootBitsPerClock; n++) begin
+      remainder_d = {remainder_d[RootBits-1:0], rest_d[RestBits-1-:2]};
+      rest_d = rest_d << 2;
+      trial = {found_d, 2'b01};
+      found_d = {found_d[RootBits-2:0], remainder_d >= trial};
+      if (found_d[0]) remainder_d = remainder_d - trial;
+    end
     if (step_q == 5'd1) begin
       rest_d = RestBits'(radicand_i);
       remainder_d = '0;
@@ -87,13 +88,19 @@ module root_unit #(
     end
     if (start_i && step_q != '0) begin
       rest_q <= rest_d;
-      remainder_q <= remainder_d[RootBits-1:0];
-      found_q <= found_d;
+      remainder_q <= remainder_d[RemainderBits-1:0];
+      found_q <= found_d[FoundBits-1:0];
     end
   end
 
   assign root_o = sphere_pkg::SphereBits'(root_q);
   assign done_o = done_q;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni && step_q > 5'd1)
+      remainder_is_small : assert (remainder_q <= {found_q, 1'b0});
+`endif
 endmodule
 
 `default_nettype wire

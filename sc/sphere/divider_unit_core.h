@@ -54,7 +54,7 @@ struct divider_unit_core {
     }
     const bool ends = running && step_q == k.divide_clocks - 1;
     step_q = running && !ends ? step_q + 1 : 0;
-    done_q = in.start && (ends || (done_q && !rises));
+    done_q = in.start && (ends || done_q);
     start_q = in.start;
     if (!ends) return;
     for (int n = 0; n < 3; ++n) {

@@ -1,9 +1,9 @@
 // root_unit: square root of a 12.12 number, digit by digit.
 //
 // What    root_o = floor(sqrt(radicand_i * 2^12)): the root of a 12.12 number as 12.12, 18
-//         significant bits. The radicand stands in a register of 32 bits, 8 leading zeros before
-//         it, and 6 digits follow the point: 22 digits, root_bits_per_clock of them a clock, the
-//         last clock takes the rest.
+//         significant bits. There are 22 digits: 4 zeros, 12 of the radicand, two bits each, and
+//         6 more; root_bits_per_clock of them a clock. The last clock takes as many, too: more
+//         zeros come before the first.
 // Cycles  edge 1 sees start_i rise (it was 0 at the edge before); edge 2 loads radicand_i; then
 //         ceil(22 / root_bits_per_clock) edges take digits, and the last of them writes root_o and
 //         sets done_o. Six edges from start to done: start_i is 1 in clock t, at the end of which
@@ -52,7 +52,7 @@ class root_unit : public root_unit_pins, public probed {
   static constexpr const char* unit_name = "root_unit";
 
   root_unit(const sc_core::sc_module_name& name, const sphere_knobs& k);
-  std::vector<probe> probes() const override { return registers_of(core_); }
+  std::vector<probe> probes() const override { return registers_of(core_, knobs_); }
 
  private:
   void seq();

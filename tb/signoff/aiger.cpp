@@ -78,14 +78,18 @@ std::vector<Literal> AndCircuit::copy(const AndCircuit& circuit,
 AndCircuit read_circuit(const std::string& aiger) {
   Reader in(aiger);
   std::string kind;
-  std::size_t variables, registers, outputs, gates, others = 0;
+  std::size_t variables, registers, outputs, gates, assertions = 0, others = 0;
   AndCircuit circuit;
   std::istringstream head(in.line());
   if (!(head >> kind >> variables >> circuit.inputs >> registers >> outputs >> gates) ||
-      kind != "aig" || head >> others)
+      kind != "aig")
     refuse();
+  head >> assertions;
+  while (head >> others)
+    if (others != 0) refuse();
   for (std::size_t n = 0; n < registers; ++n) circuit.next.push_back(in.literal());
   for (std::size_t n = 0; n < outputs; ++n) circuit.outputs.push_back(in.literal());
+  for (std::size_t n = 0; n < assertions; ++n) circuit.failing.push_back(in.literal());
   for (std::size_t n = 0; n < gates; ++n) {
     const Literal gate = circuit.register_at(registers + n);
     const Literal left = gate - in.number(), right = left - in.number();
@@ -120,7 +124,7 @@ AndCircuit with_constant_inputs(AndCircuit circuit, const std::map<std::size_t, 
     if (constant != constants.end())
       literal = static_cast<Literal>(constant->second) ^ (literal & 1);
   };
-  for (auto* literals : {&circuit.next, &circuit.outputs})
+  for (auto* literals : {&circuit.next, &circuit.outputs, &circuit.failing})
     for (Literal& literal : *literals) tie(literal);
   for (auto& gate : circuit.gates)
     for (Literal& side : gate) tie(side);

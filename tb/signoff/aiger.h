@@ -22,6 +22,7 @@ struct AndCircuit {
   std::size_t inputs = 0;
   std::vector<Literal> next;  ///< of each register; all begin with 0
   std::vector<Literal> outputs;
+  std::vector<Literal> failing;               ///< 1 where an assertion fails
   std::vector<std::array<Literal, 2>> gates;  ///< read variables of smaller numbers
 
   Literal input(std::size_t n) const { return static_cast<Literal>(2 * (1 + n)); }
@@ -33,8 +34,9 @@ struct AndCircuit {
 };
 
 /// Throws RtlError if the text is none, or has registers that begin otherwise, or more than
-/// outputs to look at.
+/// outputs and assertions to look at.
 AndCircuit read_circuit(const std::string& aiger);
+/// Without assertions.
 std::string aiger_of(const AndCircuit& circuit);
 
 /// The same circuit, where some inputs, by their numbers from 0, are constants for whatever reads
@@ -42,7 +44,7 @@ std::string aiger_of(const AndCircuit& circuit);
 AndCircuit with_constant_inputs(AndCircuit circuit, const std::map<std::size_t, bool>& constants);
 
 /// One clock of the same circuit: registers are inputs, behind the others, and their next values
-/// outputs, before the others.
+/// outputs, before the others. What is failing stays so.
 AndCircuit without_registers(AndCircuit circuit);
 
 /// 64 values of each variable at once.

@@ -15,6 +15,7 @@
 #include "tb/base/reset_value.h"
 #include "tb/base/whole_file.h"
 #include "tb/signoff/aiger.h"
+#include "tb/signoff/yosys_sources.h"
 #include "tb/verilate/cache_folder.h"
 
 namespace racebeam {
@@ -166,6 +167,7 @@ std::string circuit_commands() { return Lowering; }
 MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
   const WorkFolder work;
   work.write("plain.il", proof.netlist.rtlil);
+  work.write("asserted.il", proof.netlist.asserted);
   work.write("miter.v", miter_module(proof));
   work.write("step.v", step_module(proof, Step, true));
   work.write("unit.v", step_module(proof, Unit, false));
@@ -181,7 +183,8 @@ MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mu
   };
   run_yosys(fmt::format("read_rtlil plain.il\nrename {} was_unit\n", unit) + mutated +
                 written(Miter, "miter") + mutated + written(Step, "step") +
-                fmt::format("read_rtlil plain.il\nrename {} is_unit\n", unit) +
+                fmt::format("read_rtlil {}.il\nrename {} is_unit\n",
+                            proof.netlist.asserted.empty() ? "plain" : "asserted", unit) +
                 written(Unit, "unit"),
             work.path(), unit);
   const auto read = [&work](const char* name) { return whole_file(work.file(name)); };
@@ -190,7 +193,8 @@ MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mu
   return {{read("miter.aig"), read("miter.map")},
           step,
           read("miter.map"),
-          words_as_in(alone.named(), step.named())};
+          words_as_in(alone.named(), step.named()),
+          claims_as_in(alone.named(), step.named())};
 }
 
 MutantCircuit::MutantCircuit(const std::string& aiger, const std::string& map)

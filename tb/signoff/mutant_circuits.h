@@ -52,6 +52,7 @@ struct MutantCircuits {
       step;  ///< mutants alone; inputs that no chip has are replaced by one that it can have
   std::string miter_map;
   std::vector<RegisterWord> words;  ///< of the step
+  AndCircuit claims;                ///< of the step's registers: 1 where an assertion fails
 };
 
 /// Throws RtlError, MissingTool, Interrupted.

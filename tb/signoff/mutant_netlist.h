@@ -25,6 +25,7 @@ struct Mutant {
 
 struct MutantNetlist {
   std::string rtlil;            ///< of the unit alone: words, flattened, no mutant in it
+  std::string asserted;         ///< the same with its assertions; "": none that yosys can read
   std::string verilog;          ///< of all mutants
   std::vector<Mutant> mutants;  ///< no two alike
 };
@@ -37,15 +38,5 @@ MutantNetlist mutant_netlist(const RtlSources& sources, int most, unsigned seed)
 int mutant_bits(const std::vector<Mutant>& mutants);
 /// Commands of yosys that put all of them into the unit, each chosen by its number.
 std::string choosing_commands(const std::vector<Mutant>& mutants, int bits);
-
-/// How yosys reads a unit: the commands up to a flat netlist of words. They work in a folder that
-/// link_sources() has filled.
-std::string reading_commands(const RtlSources& sources);
-/// Links to the project's RTL, to the files of `sources` and to the folders that are searched:
-/// names of cells come from paths, and shall be the same wherever the RTL lies.
-void link_sources(const RtlSources& sources, const std::string& folder);
-
-/// Runs yosys in a folder. Throws RtlError with what it says, MissingTool, Interrupted.
-void run_yosys(const std::string& commands, const std::string& folder, const std::string& unit);
 
 }  // namespace racebeam

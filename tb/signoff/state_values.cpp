@@ -6,57 +6,20 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "tb/signoff/always_zero.h"
+#include "tb/signoff/random_run.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr std::size_t SmallWord = 6;  // bits; of wider ones each bit is looked at alone
-constexpr int Runs = 8, Clocks = 64;
-constexpr std::uint64_t Fold = 0x9e3779b97f4a7c15;  // of a trace to a number: odd, few patterns
-constexpr int Seconds = 10;                         // for one question
+constexpr int Seconds = 10;           // for one question
 
 using Lanes = std::uint64_t;
-
-/// Of a random word the and, nothing or the or with two more: an eighth, a half, or more are 1.
-Lanes random_lanes(std::mt19937_64& random, unsigned density) {
-  const Lanes one = random();
-  if (density == 0) return one & random() & random();
-  return density == 1 ? one : one | random() | random();
-}
-
-/// Runs from the start with random inputs: the same ones each time for the same `inputs`.
-template <class Each>
-void run(const AndCircuit& circuit, const std::vector<std::size_t>& inputs, const Each& each) {
-  std::mt19937_64 random(1);
-  for (int run = 0; run < Runs; ++run) {
-    CircuitLanes lanes(circuit);
-    std::vector<unsigned> densities;
-    for (std::size_t n = 0; n < inputs.size(); ++n)
-      densities.push_back(static_cast<unsigned>(random() % 3));
-    for (int clock = 0; clock < Clocks; ++clock) {
-      for (std::size_t n = 0; n < inputs.size(); ++n)
-        lanes.input(inputs[n]) = random_lanes(random, densities[n]);
-      lanes.settle();
-      each(lanes);
-      lanes.clock();
-    }
-  }
-}
-
-/// What each register did, as one number.
-std::vector<Lanes> traces_of(const NamedCircuit& named) {
-  std::vector<std::size_t> inputs;
-  for (const auto& [name, input] : named.inputs) inputs.push_back(input);
-  std::vector<Lanes> traces(named.circuit.next.size());
-  run(named.circuit, inputs, [&](const CircuitLanes& lanes) {
-    for (std::size_t n = 0; n < traces.size(); ++n)
-      traces[n] = (traces[n] ^ lanes.of(named.circuit.next[n])) * Fold;
-  });
-  return traces;
-}
+using Clock = std::chrono::steady_clock;
 
 /// The registers of a circuit whose registers are its last inputs.
 std::vector<Literal> state_inputs(const AndCircuit& step, std::size_t registers) {
@@ -66,45 +29,36 @@ std::vector<Literal> state_inputs(const AndCircuit& step, std::size_t registers)
   return state;
 }
 
-}  // namespace
-
-std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircuit& circuit) {
-  const std::vector<Lanes> known = traces_of(like), traces = traces_of(circuit);
-  std::multimap<Lanes, std::size_t> by_trace;
-  for (std::size_t n = 0; n < traces.size(); ++n) by_trace.emplace(traces[n], n);
-  std::vector<RegisterWord> found;
-  for (const RegisterWord& word : like.words) {
-    found.emplace_back();
-    for (const std::size_t bit : word) {
-      const auto at = by_trace.find(known[bit]);
-      if (at == by_trace.end()) continue;
-      found.back().push_back(at->second);
-      by_trace.erase(at);
-    }
-  }
-  for (const auto& [trace, n] : by_trace) found.push_back({n});
-  return found;
+/// The next values of the registers, the first outputs of such a circuit.
+std::vector<Literal> next_in(const AndCircuit& step, std::size_t registers) {
+  return {step.outputs.begin(), step.outputs.begin() + static_cast<std::ptrdiff_t>(registers)};
 }
 
+}  // namespace
+
 StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWord>& words,
-                         std::chrono::seconds limit) {
+                         std::chrono::seconds limit, AndCircuit claims) {
   for (const RegisterWord& word : words) {
     if (word.size() <= SmallWord) groups_.push_back({word, {0}});
     else
       for (const std::size_t bit : word) groups_.push_back({{bit}, {0}});
   }
-  const auto end = std::chrono::steady_clock::now() + limit;
+  const auto end = Clock::now() + limit;
   run_a_while(circuit);
-  if (close(circuit, end)) return;
-  const auto wide = [](const Group& group) { return group.bits.size() == 1; };
-  groups_.erase(std::remove_if(groups_.begin(), groups_.end(), wide), groups_.end());
-  if (!close(circuit, end)) groups_.clear();
+  if (!close(circuit, end)) {
+    const auto wide = [](const Group& group) { return group.bits.size() == 1; };
+    groups_.erase(std::remove_if(groups_.begin(), groups_.end(), wide), groups_.end());
+    if (!close(circuit, end)) groups_.clear();
+  }
+  claims_ = std::move(claims);
+  keep_proved(circuit, end);
 }
 
 void StateValues::run_a_while(const AndCircuit& circuit) {
   std::vector<std::size_t> inputs(circuit.inputs);
   std::iota(inputs.begin(), inputs.end(), std::size_t{0});
-  run(circuit, inputs, [&](const CircuitLanes& lanes) { take(circuit, lanes, ~Lanes{0}); });
+  run_from_zero(circuit, inputs,
+                [&](const CircuitLanes& lanes) { take(circuit, lanes, ~Lanes{0}); });
   forget_free();
 }
 
@@ -137,17 +91,15 @@ AndCircuit StateValues::one_clock(const AndCircuit& circuit) const {
 }
 
 /// Whether it is known that no clock leads out of the values.
-bool StateValues::close(const AndCircuit& circuit, std::chrono::steady_clock::time_point end) {
+bool StateValues::close(const AndCircuit& circuit, Clock::time_point end) {
   while (!groups_.empty()) {
     AndCircuit question = one_clock(circuit);
-    const std::vector<Literal> next(
-        question.outputs.begin(),
-        question.outputs.begin() + static_cast<std::ptrdiff_t>(circuit.next.size()));
+    const std::vector<Literal> next = next_in(question, circuit.next.size());
     const Literal before = hold(question, state_inputs(question, circuit.next.size()));
     question.outputs = {question.all(before, hold(question, next) ^ 1)};
     const auto [zero, inputs] = always_zero(question, std::chrono::seconds(Seconds));
     if (zero) return true;
-    if (inputs.empty() || std::chrono::steady_clock::now() > end) return false;
+    if (inputs.empty() || Clock::now() > end) return false;
     CircuitLanes lanes(circuit);
     for (std::size_t n = 0; n < inputs.size(); ++n)
       (n < circuit.inputs ? lanes.input(n) : lanes.register_at(n - circuit.inputs)) = inputs[n];
@@ -156,6 +108,27 @@ bool StateValues::close(const AndCircuit& circuit, std::chrono::steady_clock::ti
     forget_free();
   }
   return true;
+}
+
+/// Drops the claims that are wrong at the start, and those that some clock leads out of.
+void StateValues::keep_proved(const AndCircuit& circuit, Clock::time_point end) {
+  auto& wrong = claims_.outputs;
+  AndCircuit none;
+  const auto at_start = none.copy(claims_, std::vector<Literal>(claims_.inputs, False));
+  for (std::size_t n = wrong.size(); n-- > 0;)
+    if (at_start[n] != False) wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(n));
+  for (std::size_t n = 0; n < wrong.size();) {
+    AndCircuit question = one_clock(circuit);
+    const std::vector<Literal> next = next_in(question, circuit.next.size());
+    const Literal before = hold(question, state_inputs(question, circuit.next.size()));
+    question.outputs = {question.all(before, question.copy(claims_, next)[n])};
+    if (Clock::now() < end && always_zero(question, std::chrono::seconds(Seconds)).zero) {
+      ++n;
+    } else {
+      wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(n));
+      n = 0;  // the others may have needed it
+    }
+  }
 }
 
 std::map<std::size_t, bool> StateValues::constants() const {
@@ -193,6 +166,23 @@ Literal StateValues::hold(AndCircuit& circuit, const std::vector<Literal>& state
     }
     all = circuit.all(all, one);
   }
+  return circuit.all(all, claimed(circuit, state));
+}
+
+Literal StateValues::claimed(AndCircuit& circuit, const std::vector<Literal>& state) const {
+  Literal all = True;
+  if (!claims_.outputs.empty())
+    for (const Literal wrong : circuit.copy(claims_, state)) all = circuit.all(all, wrong ^ 1);
+  return all;
+}
+
+Lanes StateValues::claimed(const std::vector<Lanes>& state) const {
+  Lanes all = ~Lanes{0};
+  if (claims_.outputs.empty()) return all;
+  CircuitLanes lanes(claims_);
+  for (std::size_t n = 0; n < state.size(); ++n) lanes.input(n) = state[n];
+  lanes.settle();
+  for (const Literal wrong : claims_.outputs) all &= ~lanes.of(wrong);
   return all;
 }
 

@@ -45,6 +45,16 @@ TEST(AigerTest, WithoutRegistersTheirNextValuesAreOutputs) {
   EXPECT_EQ(aiger_of(without_registers(read_circuit(step))), step);
 }
 
+TEST(AigerTest, AssertionsFailWhereTheyAreBad) {
+  const AndCircuit circuit = read_circuit("aig 4 2 1 1 1 1\n8\n5\n7\n\x04\x02");
+  EXPECT_THAT(circuit.outputs, ElementsAre(5));
+  EXPECT_THAT(circuit.failing, ElementsAre(7));
+  EXPECT_THAT(without_registers(circuit).failing, ElementsAre(7));
+  EXPECT_THAT(with_constant_inputs(read_circuit("aig 1 1 0 0 0 1\n3\n"), {{0, true}}).failing,
+              ElementsAre(False));
+  EXPECT_EQ(aiger_of(circuit), Circuit) << "they are not written";
+}
+
 TEST(AigerTest, GatesAreAddedWhereTheyAreNeeded) {
   AndCircuit circuit = read_circuit(Circuit);
   EXPECT_EQ(circuit.all(2, 3), False);
@@ -71,8 +81,8 @@ TEST(AigerTest, LanesRunAsTheCircuitSays) {
 TEST(AigerTest, OtherFilesAreRefused) {
   for (const std::string& text :
        {std::string(), std::string("aag 0 0 0 0 0\n"), Circuit.substr(0, Head.size() + 5),
-        std::string("aig 4 2 1 1 1 1\n8\n5\n\x04\x02"),   // bad states
-        std::string("aig 4 2 1 1 1\n8 1\n5\n\x04\x02")})  // begins with 1
+        std::string("aig 4 2 1 1 1 0 1\n8\n5\n7\n\x04\x02"),  // a constraint
+        std::string("aig 4 2 1 1 1\n8 1\n5\n\x04\x02")})      // begins with 1
     EXPECT_THROW(read_circuit(text), RtlError) << text;
 }
 

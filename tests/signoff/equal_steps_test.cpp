@@ -65,6 +65,20 @@ TEST(EqualStepsTest, StatesMayHaveOtherNumbers) {
   EXPECT_FALSE(are_equal(ring(1), ring(2), {0}));
 }
 
+// After 1 the mutant is at 2, where it does what both do at 0.
+TEST(EqualStepsTest, AStateMayBeSeveralOfTheMutant) {
+  AndCircuit unit;
+  unit.inputs = 1;
+  unit.next = {False, False};
+  const Literal low = unit.register_at(0), high = unit.register_at(1);
+  unit.next[0] = unit.all(unit.input(0), low ^ 1);
+  unit.outputs = {unit.all(low, high ^ 1)};
+  AndCircuit mutant = unit;
+  mutant.next[1] = low;
+  EXPECT_TRUE(are_equal(unit, mutant, {0, 1}));
+  EXPECT_FALSE(are_equal(unit, mutant, {})) << "at 3 the output would differ";
+}
+
 TEST(EqualStepsTest, AnOutputMayNotDiffer) {
   AndCircuit mutant = taker(false);
   mutant.outputs[0] = mutant.all(mutant.outputs[0], mutant.input(0));

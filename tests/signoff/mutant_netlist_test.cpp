@@ -81,6 +81,27 @@ TEST(MutantNetlist, OfATableMistakesAreInWhatIsReadOnly) {
     EXPECT_THAT(mutant.name, ContainsRegex("memrd.* (ADDR|DATA|CLK)"));
 }
 
+TEST(MutantNetlist, AssertionsStandApartFromWhatGetsMistakes) {
+  const ScratchFolder folder;
+  const auto netlist = [&](const std::string& assertion) {
+    std::ofstream(folder / "mine.sv")
+        << "module mine (input wire clk_i, output reg [3:0] out_o);\n"
+           "always @(posedge clk_i) out_o <= out_o == 9 ? 4'd0 : out_o + 4'd1;\n"
+           "`ifndef SYNTHESIS\nalways @(posedge clk_i) " +
+               assertion + "\n`endif\nendmodule\n";
+    RtlSources sources;
+    sources.top = "mine";
+    sources.files = {folder / "mine.sv"};
+    return mutant_netlist(sources, 50, 1);
+  };
+  const MutantNetlist asserted = netlist("is_a_digit : assert (out_o <= 9);");
+  EXPECT_THAT(asserted.asserted, HasSubstr("cell $assert"));
+  EXPECT_THAT(asserted.rtlil, Not(HasSubstr("$assert")));
+  const MutantNetlist other = netlist("assert (out_o <= 9) else $error(\"no digit\");");
+  EXPECT_EQ(other.asserted, "") << "yosys does not read that";
+  EXPECT_EQ(other.mutants.size(), asserted.mutants.size());
+}
+
 TEST(MutantNetlist, KeptStreamsNameNoFileByItsPlaceOnAMachine) {
   int streams = 0;
   for (const auto& entry :

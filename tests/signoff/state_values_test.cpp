@@ -1,4 +1,5 @@
-// Which values registers can have: those of small words together, of wide ones bit by bit.
+// Which values registers can have: those of small words together, of wide ones bit by bit, and what
+// is claimed of them.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -71,17 +72,51 @@ TEST(StateValuesTest, ARareValueIsTakenInWhereAClockLeadsToIt) {
   EXPECT_TRUE(is_possible(StateValues(circuit, {{0}}, std::chrono::seconds(60)), 1, 1));
 }
 
-TEST(StateValuesTest, WordsAreFoundByWhatTheyDo) {
-  const NamedCircuit like{counter_to_three(), {{"count", 0}}, {{0, 1}}};
-  NamedCircuit other = like;
-  std::swap(other.circuit.next[0], other.circuit.next[1]);
-  for (auto& gate : other.circuit.gates)
-    for (Literal& side : gate)
-      if (side / 2 == 2 || side / 2 == 3) side ^= 2;
-  for (Literal& next : other.circuit.next)
-    if (next / 2 == 2 || next / 2 == 3) next ^= 2;
-  other.words.clear();
-  EXPECT_EQ(words_as_in(like, other), (std::vector<RegisterWord>{{1, 0}}));
+/// Two registers that take each other's value.
+AndCircuit exchange() {
+  AndCircuit circuit;
+  circuit.next = {False, False};
+  circuit.next = {circuit.register_at(1), circuit.register_at(0)};
+  return circuit;
+}
+
+/// Claims that some of two registers are 0: those of which the number has a bit.
+AndCircuit are_zero(unsigned which) {
+  AndCircuit claims;
+  claims.inputs = 2;
+  for (std::size_t n = 0; n < 2; ++n)
+    if (((which >> n) & 1) != 0) claims.outputs.push_back(claims.input(n));
+  return claims;
+}
+
+TEST(StateValuesTest, AClaimIsKeptIfNoClockLeadsOutOfIt) {
+  AndCircuit circuit, equal;
+  circuit.inputs = 1;
+  circuit.next = {circuit.input(0), circuit.input(0)};
+  equal.inputs = 2;
+  equal.outputs = {equal.any(equal.all(equal.input(0), equal.input(1) ^ 1),
+                             equal.all(equal.input(0) ^ 1, equal.input(1)))};
+  const StateValues values(circuit, {{0}, {1}}, std::chrono::seconds(60), equal);
+  EXPECT_TRUE(is_possible(values, 3, 2));
+  EXPECT_FALSE(is_possible(values, 1, 2));
+  EXPECT_EQ(values.claimed({0b0011, 0b0101}), ~std::uint64_t{0b0110}) << "by lanes";
+}
+
+TEST(StateValuesTest, ClaimsMayNeedEachOther) {
+  const auto kept = [](const AndCircuit& claims) {
+    return StateValues(exchange(), {}, std::chrono::seconds(60), claims).claims();
+  };
+  EXPECT_EQ(kept(are_zero(3)), 2u);
+  EXPECT_EQ(kept(are_zero(1)), 0u) << "the other register may be 1 if nobody claims that it is not";
+}
+
+TEST(StateValuesTest, AWrongClaimIsDropped) {
+  EXPECT_EQ(StateValues(counter_to_three(), {}, std::chrono::seconds(60), are_zero(1)).claims(),
+            0u);
+  AndCircuit at_start = are_zero(1);
+  at_start.outputs[0] ^= 1;
+  EXPECT_EQ(StateValues(exchange(), {}, std::chrono::seconds(60), at_start).claims(), 0u)
+      << "it is wrong at the start, though no clock leads out of it";
 }
 
 }  // namespace

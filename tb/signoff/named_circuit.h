@@ -1,0 +1,35 @@
+// A circuit of a unit with the names of its RTL, and what the same is in another one.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tb/signoff/aiger.h"
+
+namespace racebeam {
+
+/// The bits of a word by the numbers of their registers.
+using RegisterWord = std::vector<std::size_t>;
+
+/// A circuit whose inputs and registers have names.
+struct NamedCircuit {
+  AndCircuit circuit;
+  std::map<std::string, std::size_t> inputs;  ///< by name and bit: "start_i 0"
+  std::vector<RegisterWord> words;            ///< of all registers or some
+};
+
+/// The words of `circuit` as `like` has them, which does the same with the same inputs. Only a
+/// guess: registers that have the same values in a short run are the same.
+std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircuit& circuit);
+
+/// What the assertions of `like` say of the registers of `circuit`, by the same guess: a circuit
+/// whose inputs are those registers, with an output that is 1 where an assertion fails out of reset
+/// while all other inputs are 0. Without outputs if a register is not found.
+AndCircuit claims_as_in(const NamedCircuit& like, const NamedCircuit& circuit);
+
+}  // namespace racebeam

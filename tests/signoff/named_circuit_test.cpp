@@ -1,0 +1,66 @@
+// Registers of another circuit are found by what they do, and with them what is claimed of them.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/named_circuit.h"
+
+#include <gtest/gtest.h>
+
+namespace racebeam {
+namespace {
+
+/// The first register takes the input, the second one what the first had; an assertion fails where
+/// the first is 0 and the second 1 out of reset.
+NamedCircuit pipeline() {
+  NamedCircuit named;
+  AndCircuit& circuit = named.circuit;
+  circuit.inputs = 2;
+  circuit.next = {False, False};
+  const Literal first = circuit.register_at(0), second = circuit.register_at(1);
+  circuit.next = {circuit.input(0), first};
+  circuit.failing = {circuit.all(circuit.input(1), circuit.all(first ^ 1, second))};
+  named.inputs = {{"data_i 0", 0}, {"rst_ni 0", 1}};
+  named.words = {{0, 1}};
+  return named;
+}
+
+/// The same, its registers in the other order, without names of them and without the assertion.
+NamedCircuit exchanged() {
+  NamedCircuit named;
+  AndCircuit& circuit = named.circuit;
+  circuit.inputs = 2;
+  circuit.next = {False, False};
+  circuit.next = {circuit.register_at(1), circuit.input(0)};
+  named.inputs = {{"data_i 0", 0}, {"rst_ni 0", 1}};
+  return named;
+}
+
+TEST(NamedCircuitTest, WordsAreFoundByWhatTheyDo) {
+  EXPECT_EQ(words_as_in(pipeline(), exchanged()), (std::vector<RegisterWord>{{1, 0}}));
+}
+
+TEST(NamedCircuitTest, RegistersWithoutANameAreWordsOfTheirOwn) {
+  NamedCircuit like = pipeline();
+  like.words = {{1}};
+  EXPECT_EQ(words_as_in(like, exchanged()), (std::vector<RegisterWord>{{0}, {1}}));
+}
+
+TEST(NamedCircuitTest, AnAssertionClaimsTheSameOfThem) {
+  const AndCircuit claims = claims_as_in(pipeline(), exchanged());
+  ASSERT_EQ(claims.inputs, 2u);
+  ASSERT_EQ(claims.outputs.size(), 1u);
+  CircuitLanes lanes(claims);
+  lanes.input(0) = 0b0011;  // the second one
+  lanes.input(1) = 0b0101;
+  lanes.settle();
+  EXPECT_EQ(lanes.of(claims.outputs[0]) & 0xf, 0b0010u);
+}
+
+TEST(NamedCircuitTest, WithoutARegisterThereIsNoClaim) {
+  NamedCircuit other = exchanged();
+  other.circuit.next[0] = True;
+  EXPECT_TRUE(claims_as_in(pipeline(), other).outputs.empty());
+}
+
+}  // namespace
+}  // namespace racebeam
