@@ -37,7 +37,7 @@ module divider_unit #(
   typedef logic [RestBits-1:0] rest;  // the numerator's bits to come
   typedef logic [RestBits+2*Bits-1:0] lane;  // {rest, remainder, found: the quotient}
 
-  logic start_q, done_q, done_d;
+  logic done_q, done_d;
   logic [5:0] step_q, step_d;  // clocks of the division that are over; 0: idle too
   rest rest_x_q, rest_y_q, rest_z_q;
   number remainder_x_q, remainder_y_q, remainder_z_q, found_x_q, found_y_q, found_z_q;
@@ -73,8 +73,8 @@ module divider_unit #(
     result = minus ? -value : value;
   endfunction
 
-  wire logic rises = start_i && !start_q;
-  wire logic running = rises || (start_i && step_q != '0);
+  wire logic running = start_i && !done_q;
+  wire logic rises = running && step_q == '0;
   wire logic divides = BusyClocks == DivideClocks || 32'(step_q) < BusyClocks;
   wire logic ends = running && step_q == LastStep;
   wire logic minus_below = denominator_i[Bits-1];
@@ -93,24 +93,19 @@ module divider_unit #(
   wire lane lane_y = divides ? divided(from_y, denominator) : from_y;
   wire lane lane_z = divides ? divided(from_z, denominator) : from_z;
 
-  always_comb begin
-    step_d = '0;
-    if (running && !ends) step_d = step_q + 1'b1;
-    done_d = start_i && (ends || done_q);
-  end
+  assign step_d = running ? step_q + 1'b1 : '0;
+  assign done_d = start_i && (ends || done_q);
 
   wire logic by_zero = denominator == '0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      start_q <= 1'b0;
       step_q <= '0;
       done_q <= 1'b0;
       quotient_x_q <= '0;
       quotient_y_q <= '0;
       quotient_z_q <= '0;
     end else begin
-      start_q <= start_i;
       step_q <= step_d;
       done_q <= done_d;
       if (ends) begin

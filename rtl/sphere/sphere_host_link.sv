@@ -59,11 +59,15 @@ module sphere_host_link #(
   typedef logic [EntryBits-1:0] entry;
 
   localparam index Most = sphere_pkg::SphereIndexBits'(TableEntries - 1);
-  localparam logic [15:0] Patience = 16'(sphere_pkg::HostPatience);
+  // Bits that are shifted, the new one from four of them: all values but one come, and what is
+  // before 0 is the last of HostPatience values.
+  localparam int PatienceBits = $clog2(sphere_pkg::HostPatience + 1);
+  localparam logic [PatienceBits-1:0] LastPatience = {1'b1, {PatienceBits - 1{1'b0}}};
 
   logic waiting_q, taken_q, taken_d;  // valid_i was 1, and not taken; and taken
   logic answered_q, answered_d;  // a CPU sent something
-  logic [15:0] patience_q, patience_d;
+  logic [PatienceBits-1:0] patience_q, patience_d;
+  logic expired_q, expired_d;  // no CPU came
   index count_q, count_d;  // entries of this picture
   logic loaded_q, loaded_d, fault_q, fault_d, write_q, write_d;
   index index_q, index_d, last_q, last_d;
@@ -72,7 +76,7 @@ module sphere_host_link #(
   // --- Who gives an entry in this clock --------------------------------------------------------
   wire logic listens = host_i && !loaded_q;
   wire logic cpu = listens && valid_i && !taken_q;
-  wire logic built_in = listens && !cpu && !answered_q && patience_q == Patience;
+  wire logic built_in = listens && !cpu && !answered_q && expired_q;
 
   wire index wanted = cpu ? sphere_i[7:4] : scene_i ? 4'd1 : 4'd4;
   wire index spheres = 32'(wanted) >= TableEntries ? Most : wanted;
@@ -126,12 +130,15 @@ module sphere_host_link #(
     taken_d = valid_i && (taken_q || cpu);
     answered_d = answered_q || cpu;
     patience_d = patience_q;
-    if (listens && patience_q != Patience) patience_d = patience_q + 1'b1;
+    if (listens)
+      patience_d = {patience_q[PatienceBits-2:0],
+                    ~(patience_q[15] ^ patience_q[14] ^ patience_q[12] ^ patience_q[3])};
+    expired_d = expired_q || (listens && patience_q == LastPatience);
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {waiting_q, taken_q, answered_q, loaded_q, fault_q, write_q} <= '0;
+      {waiting_q, taken_q, answered_q, expired_q, loaded_q, fault_q, write_q} <= '0;
       patience_q <= '0;
       {count_q, index_q, last_q} <= '0;
       entry_q <= '0;
@@ -139,6 +146,7 @@ module sphere_host_link #(
       waiting_q <= valid_i && !taken_d;
       taken_q <= taken_d;
       answered_q <= answered_d;
+      expired_q <= expired_d;
       loaded_q <= loaded_d;
       fault_q <= fault_d;
       write_q <= write_d;

@@ -222,6 +222,21 @@ module voxel_builder #(
   assign done_o = idle || tops && last && leaves;
   assign columns_o = columns_q;
   assign state_o = state_q;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni && !idle) begin
+      state_is_known : assert (state_q <= voxel_pkg::VoxelBuilderUp);
+      level_is_known : assert (level_q <= TopLevel && ups == (level_q != '0));
+      x_is_in_the_world :
+        assert (x_low_q < x_high_q && 32'(x_high_q) <= (SizeX + VoxelX - 1) / VoxelX);
+      y_is_in_the_world :
+        assert (y_low_q < y_high_q && 32'(y_high_q) <= (SizeY + VoxelY - 1) / VoxelY);
+      x_is_in_the_rectangle : assert (x_begin <= x_q && x_q < x_end);
+      y_is_in_the_rectangle : assert (y_q < y_end);
+      z_is_in_the_world : assert (z_q <= z_top);
+    end
+`endif
 endmodule
 
 `default_nettype wire

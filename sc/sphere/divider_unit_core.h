@@ -22,7 +22,7 @@ struct divider_unit_core {
     int remainder = 0;
     int found = 0;  // the quotient's magnitude, low 24 bits
   };
-  bool start_q = false, done_q = false;
+  bool done_q = false;
   int step_q = 0;         // clocks of the division that are over; 0: idle too
   int denominator_q = 0;  // its magnitude
   int minus_q = 0;        // z, y, x
@@ -37,25 +37,22 @@ struct divider_unit_core {
 
   const vec3& quotient() const { return quotient_q; }
   /// A clock with these inputs changes nothing.
-  bool idle(const inputs& in) const {
-    return in.rst_n && in.start == start_q && step_q == 0 && (in.start || !done_q);
-  }
+  bool idle(const inputs& in) const { return in.rst_n && in.start == done_q && step_q == 0; }
   void clock(const inputs& in, const sphere_knobs& k) {
-    const bool rises = in.start && !start_q, running = rises || (in.start && step_q != 0);
+    const bool running = in.start && !done_q, rises = running && step_q == 0;
     if (rises) load(in);
     if (running && step_q < busy_clocks(k))
       for (lane& l : lanes_q)
         for (int n = 0; n < step_bits(k); ++n) bit(l, rest_bits(k));
     if (!in.rst_n) {  // of the division nothing
-      start_q = done_q = false;
+      done_q = false;
       step_q = 0;
       quotient_q = {};
       return;
     }
     const bool ends = running && step_q == k.divide_clocks - 1;
-    step_q = running && !ends ? step_q + 1 : 0;
+    step_q = running ? step_q + 1 : 0;
     done_q = in.start && (ends || done_q);
-    start_q = in.start;
     if (!ends) return;
     for (int n = 0; n < 3; ++n) {
       const int size = denominator_q == 0 ? 0x7fffff : lanes_q[n].found;
@@ -66,7 +63,6 @@ struct divider_unit_core {
   /// Calls visit(name, bits, read) for each register, as the RTL has them.
   template <class Visit>
   void each_register(Visit&& visit, const sphere_knobs& k) const {
-    visit("start_q", 1, [this] { return start_q; });
     visit("done_q", 1, [this] { return done_q; });
     visit("step_q", 6, [this] { return step_q; });
     visit("denominator_q", SphereBits, [this] { return denominator_q; });

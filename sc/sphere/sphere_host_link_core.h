@@ -13,6 +13,14 @@
 
 namespace racebeam {
 
+/// A register that is shifted, its new bit from four others: from 0 to 0 through all values of 16
+/// bits but one. It is smaller than a counter, and every mistake in it shows at its end.
+static_assert(HostPatience == 0xffff);
+constexpr unsigned next_patience(unsigned patience) {
+  const unsigned odd = patience >> 15 ^ patience >> 14 ^ patience >> 12 ^ patience >> 3;
+  return (patience << 1 | (~odd & 1)) & 0xffff;
+}
+
 /// The wires from the CPU.
 struct sphere_host_pins {
   int sphere = 0, color = 0;
@@ -25,8 +33,9 @@ struct sphere_host_link_core {
   bool waiting_q = false;   // valid is 1 and not taken
   bool taken_q = false;     // valid is 1 and was taken
   bool answered_q = false;  // a CPU sent something
-  int patience_q = 0;
-  int count_q = 0;  // entries of this picture
+  unsigned patience_q = 0;  // as far as next_patience() has gone
+  bool expired_q = false;   // no CPU came
+  int count_q = 0;          // entries of this picture
   bool loaded_q = false, fault_q = false;
   sphere_table_core::inputs write_q{};
 
@@ -57,13 +66,16 @@ struct sphere_host_link_core {
     if (listens && edge) {
       answered_q = true;
       take(in, in.cpu.sphere >> 4, row_of(in.cpu), in.cpu.sphere & 15, k);
-    } else if (listens && !answered_q && patience_q == HostPatience) {
+    } else if (listens && !answered_q && expired_q) {
       const auto& spheres = builtin_spheres(in.scene);
       const int number = static_cast<int>(spheres.size());
       const int last = std::min(number, k.table_entries - 1);
       take(in, last, spheres[std::min(count_q, number - 1)], count_q, k);
     }
-    if (listens && patience_q < HostPatience) ++patience_q;
+    if (listens) {
+      patience_q = next_patience(patience_q);
+      expired_q = expired_q || patience_q == 0;
+    }
     taken_q = in.cpu.valid && (taken_q || listens);
     waiting_q = in.cpu.valid && !taken_q;
   }
@@ -75,6 +87,7 @@ struct sphere_host_link_core {
     visit("taken_q", 1, [this] { return taken_q; });
     visit("answered_q", 1, [this] { return answered_q; });
     visit("patience_q", 16, [this] { return patience_q; });
+    visit("expired_q", 1, [this] { return expired_q; });
     visit("count_q", SphereIndexBits, [this] { return count_q; });
     visit("loaded_q", 1, [this] { return loaded_q; });
     visit("fault_q", 1, [this] { return fault_q; });

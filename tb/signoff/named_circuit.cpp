@@ -26,45 +26,39 @@ std::vector<std::uint64_t> traces_of(const NamedCircuit& named) {
   return traces;
 }
 
-/// Registers of a circuit by what they did, each to be taken once.
-class RegistersByTrace {
- public:
-  static constexpr std::size_t None = ~std::size_t{0};
+constexpr std::size_t None = ~std::size_t{0};
 
-  explicit RegistersByTrace(const NamedCircuit& named) {
-    const auto traces = traces_of(named);
-    for (std::size_t n = 0; n < traces.size(); ++n) by_trace_.emplace(traces[n], n);
+/// For each register of `like` one of `circuit` that did the same, or None. Of several the first is
+/// that of the first: so those that never move are told apart as far as both have one order.
+std::vector<std::size_t> same_registers(const NamedCircuit& like, const NamedCircuit& circuit) {
+  std::multimap<std::uint64_t, std::size_t> by_trace;
+  const auto traces = traces_of(circuit);
+  for (std::size_t n = 0; n < traces.size(); ++n) by_trace.emplace(traces[n], n);
+  std::vector<std::size_t> same;
+  for (const std::uint64_t trace : traces_of(like)) {
+    const auto at = by_trace.find(trace);
+    same.push_back(at == by_trace.end() ? None : at->second);
+    if (at != by_trace.end()) by_trace.erase(at);
   }
-  std::size_t take(std::uint64_t trace) {
-    const auto at = by_trace_.find(trace);
-    if (at == by_trace_.end()) return None;
-    const std::size_t n = at->second;
-    by_trace_.erase(at);
-    return n;
-  }
-  std::vector<std::size_t> left() const {
-    std::vector<std::size_t> all;
-    for (const auto& [trace, n] : by_trace_) all.push_back(n);
-    return all;
-  }
-
- private:
-  std::multimap<std::uint64_t, std::size_t> by_trace_;
-};
+  return same;
+}
 
 }  // namespace
 
 std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircuit& circuit) {
-  const auto known = traces_of(like);
-  RegistersByTrace registers(circuit);
+  const std::vector<std::size_t> same = same_registers(like, circuit);
+  std::vector<bool> named(circuit.circuit.next.size());
   std::vector<RegisterWord> found;
   for (const RegisterWord& word : like.words) {
     found.emplace_back();
-    for (const std::size_t bit : word)
-      if (const std::size_t n = registers.take(known[bit]); n != RegistersByTrace::None)
-        found.back().push_back(n);
+    for (const std::size_t bit : word) {
+      if (same[bit] == None) continue;
+      found.back().push_back(same[bit]);
+      named[same[bit]] = true;
+    }
   }
-  for (const std::size_t n : registers.left()) found.push_back({n});
+  for (std::size_t n = 0; n < named.size(); ++n)
+    if (!named[n]) found.push_back({n});
   return found;
 }
 
@@ -74,10 +68,8 @@ AndCircuit claims_as_in(const NamedCircuit& like, const NamedCircuit& circuit) {
   std::vector<Literal> values(like.circuit.inputs, False);
   for (const auto& [name, input] : like.inputs)
     if (reset_value(name.substr(0, name.find(' '))) == 0) values[input] = True;
-  RegistersByTrace registers(circuit);
-  for (const std::uint64_t trace : traces_of(like)) {
-    const std::size_t n = registers.take(trace);
-    if (n == RegistersByTrace::None) return claims;
+  for (const std::size_t n : same_registers(like, circuit)) {
+    if (n == None) return claims;
     values.push_back(claims.input(n));
   }
   AndCircuit step = without_registers(like.circuit);

@@ -45,6 +45,7 @@ StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWo
   }
   const auto end = Clock::now() + limit;
   run_a_while(circuit);
+  const std::vector<Group> never_left = groups_;
   if (!close(circuit, end)) {
     const auto wide = [](const Group& group) { return group.bits.size() == 1; };
     groups_.erase(std::remove_if(groups_.begin(), groups_.end(), wide), groups_.end());
@@ -52,6 +53,7 @@ StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWo
   }
   claims_ = std::move(claims);
   keep_proved(circuit, end);
+  if (!claims_.outputs.empty()) add_claimed(never_left, end);
 }
 
 void StateValues::run_a_while(const AndCircuit& circuit) {
@@ -128,6 +130,22 @@ void StateValues::keep_proved(const AndCircuit& circuit, Clock::time_point end) 
       wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(n));
       n = 0;  // the others may have needed it
     }
+  }
+}
+
+/// Adds the groups that the claims imply: bits that never are 1, say, as a number is small.
+void StateValues::add_claimed(const std::vector<Group>& groups, Clock::time_point end) {
+  const std::vector<Group> known = groups_;
+  for (const Group& group : groups) {
+    const auto same = [&](const Group& one) { return one.bits == group.bits; };
+    if (std::any_of(known.begin(), known.end(), same) || Clock::now() > end) continue;
+    AndCircuit question;
+    question.inputs = claims_.inputs;
+    const std::vector<Literal> state = state_inputs(question, claims_.inputs);
+    const Literal claimed = hold(question, state);
+    groups_.push_back(group);
+    question.outputs = {question.all(claimed, hold(question, state) ^ 1)};
+    if (!always_zero(question, std::chrono::seconds(Seconds)).zero) groups_.pop_back();
   }
 }
 

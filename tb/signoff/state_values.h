@@ -54,6 +54,7 @@ class StateValues {
   void forget_free();
   bool close(const AndCircuit& circuit, std::chrono::steady_clock::time_point end);
   void keep_proved(const AndCircuit& circuit, std::chrono::steady_clock::time_point end);
+  void add_claimed(const std::vector<Group>& groups, std::chrono::steady_clock::time_point end);
   Literal claimed(AndCircuit& circuit, const std::vector<Literal>& state) const;
 
   std::vector<Group> groups_;  // of which some value is not possible

@@ -7,7 +7,8 @@
 namespace racebeam {
 
 // What a CPU sends when nobody listens, and takes back, is no word. The scene changes with
-// pictures. After the last one it is reset, and waits anew.
+// pictures. What it sends first is an entry beyond the last one. After the last picture the link is
+// reset, and waits anew.
 void HostWalk::next() {
   constexpr std::uint64_t LastReset = Clocks - 100;
   bench_["rst_ni"].drive(clock_ > 0 && clock_ != LastReset);
@@ -17,6 +18,7 @@ void HostWalk::next() {
   if (bench_["loaded_o"].value()) bench_["scene_i"].drive(one_in(2));
   for (UnitBench::Pin* pin : bench_.pins())
     if (pin->input && pin->bits > 1) pin->drive(raw_bits(random_(), pin->bits));
+  if (clock_ > Silence && clock_ < Silence + 16) bench_["sphere_i"].drive(0x1f);
   ++clock_;
 }
 

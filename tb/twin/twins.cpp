@@ -25,6 +25,7 @@
 #include "sc/voxel/engine.h"
 #include "sc/voxel/voxel_builder.h"
 #include "sc/voxel/voxel_scan.h"
+#include "sc/voxel/voxel_walker.h"
 #include "tb/twin/beam_twins.h"
 #include "tb/twin/block_twins.h"
 #include "tb/twin/block_walk.h"
@@ -126,6 +127,7 @@ Twins voxel() {
       {{voxel_builder::unit_name, "through the world", BuildWalk::Clocks, begin_walk<BuildWalk>},
        {voxel_scan::unit_name, "to the end of a picture", PictureWalk::Clocks,
         begin_walk<PictureWalk>},
+       {voxel_walker::unit_name, "along rays", RayWalk::Clocks, begin_walk<RayWalk>},
        through_a_frame()}};
 }
 

@@ -3,6 +3,7 @@
 #include "tb/twin/voxel_walks.h"
 
 #include "sc/base/fixed_point.h"
+#include "sc/voxel/codes.h"
 #include "sc/voxel/knobs.h"
 
 namespace racebeam {
@@ -47,6 +48,74 @@ void PictureWalk::next() {
   bench_["colour_i"].drive(raw_bits(random_(), bench_["colour_i"].bits));
   for (const char* on : {"start_i", "ray_done_i", "done_i", "put_ready_i"})
     bench_[on].drive(!one_in(Seldom));
+}
+
+void RayWalk::next() {
+  bench_["rst_ni"].drive(begun_ && !one_in(4096));
+  if (left_-- <= 0 || !begun_) begin_ray();
+  begun_ = true;
+  const std::string axes = "xyz";
+  if (one_in(16)) drive(std::string("inverse_") + axes[below(3)] + "_i", inverse());
+  if (one_in(2))
+    for (const char axis : axes) drive(std::string("position_") + axis + "_i", coordinate());
+  if (one_in(2)) drive("data_i", below(4) < filled_ ? -1 : one_in(2) ? 0 : random_());
+  drive("bit_i", random_());
+  drive("inside_i", !one_in(16));
+  for (const char* flag : {"start_i", "some_i", "sample_i"}) drive(flag, one_in(2));
+  for (const char* flag : {"shadow_i", "hit_i", "done_i"}) drive(flag, one_in(4));
+  drive("reached_i", one_in(limited_));
+}
+
+void RayWalk::begin_ray() {
+  left_ = 20 + below(one_in(2) ? 40 : 400);
+  filled_ = below(5);
+  limited_ = 1 << 2 * below(6);
+  const bool alike = one_in(2);
+  const std::int64_t all = inverse(), whole = std::int64_t{1} << VoxelInverseFraction;
+  for (const std::string axis : {"x", "y", "z"}) {
+    drive("origin_" + axis + "_i", coordinate());
+    drive("direction_" + axis + "_i", direction());
+    drive("light_" + axis + "_i", direction());
+    drive("inverse_" + axis + "_i", one_in(2) ? whole : alike ? all : inverse());
+  }
+}
+
+void RayWalk::drive(const std::string& port, std::int64_t value) {
+  UnitBench::Pin& pin = bench_[port];
+  pin.drive(raw_bits(static_cast<std::uint64_t>(value), pin.bits));
+}
+
+// In the world, at its border or beyond it, or anywhere; at a border of a unit, beside it, or not.
+std::int64_t RayWalk::coordinate() {
+  if (one_in(12)) return random_();
+  const std::int64_t places[] = {
+      below(64), below(64), below(8), 32, 31, -1 - below(64), std::int64_t{1} << below(15)};
+  const std::int64_t beside[] = {0, 0, 1, -1, below(1 << VoxelPositionFraction)};
+  return places[below(7)] * (1 << VoxelPositionFraction) + beside[below(5)];
+}
+
+// Parallel to an axis, or almost, or long enough for an inverse.
+std::int64_t RayWalk::direction() {
+  const std::int64_t sizes[] = {0,
+                                VoxelParallel - 1,
+                                VoxelParallel,
+                                VoxelParallel + 1,
+                                std::int64_t{1} << VoxelDirectionFraction,
+                                static_cast<std::int64_t>(random_() >> below(32))};
+  const std::int64_t size = sizes[below(6)];
+  return one_in(2) ? size : -size;
+}
+
+std::int64_t RayWalk::inverse() {
+  const std::int64_t whole = std::int64_t{1} << VoxelInverseFraction;
+  const std::int64_t sizes[] = {whole,
+                                whole + 1,
+                                whole - 1,
+                                2 * whole,
+                                whole / 2,
+                                0,
+                                static_cast<std::int64_t>(random_() >> below(32))};
+  return sizes[below(7)];
 }
 
 }  // namespace racebeam

@@ -1,7 +1,9 @@
 // BuildWalk: voxel_builder through the whole default world.
 // PictureWalk: voxel_scan to the end of a picture of the default scene.
+// RayWalk: voxel_walker along rays whose numbers are close to each other.
 //
-// Random traffic builds rectangles of a few columns, and sees a few hundred pixels.
+// Random traffic builds rectangles of a few columns, sees a few hundred pixels, and has rays that
+// leave the world at once.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -9,6 +11,7 @@
 
 #include <cstdint>
 #include <random>
+#include <string>
 
 #include "sc/base/knob_values.h"
 #include "tb/twin/unit_bench.h"
@@ -53,6 +56,34 @@ class PictureWalk {
   UnitBench& bench_;
   std::mt19937 random_;
   bool begun_ = false;
+};
+
+/// Ways are as long as coordinates are apart, so that borders are met at the same place, or almost.
+class RayWalk {
+ public:
+  static constexpr std::uint64_t Clocks = 400'000;
+
+  /// For voxel_walker on `bench`; the same seed makes the same traffic.
+  RayWalk(UnitBench& bench, const knob_values&, unsigned seed) : bench_(bench), random_(seed) {}
+
+  /// New values for the next clock.
+  void next();
+
+ private:
+  int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
+  bool one_in(int count) { return below(count) == 0; }
+  void begin_ray();
+  void drive(const std::string& port, std::int64_t value);
+  std::int64_t coordinate();
+  std::int64_t direction();
+  std::int64_t inverse();
+
+  UnitBench& bench_;
+  std::mt19937 random_;
+  bool begun_ = false;
+  int left_ = 0;     // clocks of the ray
+  int filled_ = 0;   // of 4 words so many are full
+  int limited_ = 1;  // a limit is reached once in so many clocks
 };
 
 }  // namespace racebeam

@@ -102,6 +102,25 @@ TEST(StateValuesTest, AClaimIsKeptIfNoClockLeadsOutOfIt) {
   EXPECT_EQ(values.claimed({0b0011, 0b0101}), ~std::uint64_t{0b0110}) << "by lanes";
 }
 
+// Two registers count together 0, 1, 2, 0...; the third takes the first where that is wrong.
+TEST(StateValuesTest, WhatClaimsImplyIsKnownOfEachRegister) {
+  AndCircuit circuit = counter_to_three();
+  const Literal low = circuit.register_at(0), high = circuit.register_at(1);
+  circuit.next.push_back(False);  // the gates come behind it
+  for (auto& gate : circuit.gates)
+    for (Literal& side : gate)
+      if (side / 2 > 3) side += 2;
+  for (Literal& next : circuit.next)
+    if (next / 2 > 3) next += 2;
+  circuit.next[2] = circuit.all(low, high);
+  AndCircuit claims;
+  claims.inputs = 3;
+  claims.outputs = {claims.all(claims.input(0), claims.input(1)), claims.input(2)};
+  const StateValues values(circuit, {{0}, {1}, {2}}, std::chrono::seconds(60), claims);
+  EXPECT_EQ(values.claims(), 2u);
+  EXPECT_EQ(values.constants(), (std::map<std::size_t, bool>{{2, false}}));
+}
+
 TEST(StateValuesTest, ClaimsMayNeedEachOther) {
   const auto kept = [](const AndCircuit& claims) {
     return StateValues(exchange(), {}, std::chrono::seconds(60), claims).claims();
