@@ -59,10 +59,9 @@ module sphere_host_link #(
   typedef logic [EntryBits-1:0] entry;
 
   localparam index Most = sphere_pkg::SphereIndexBits'(TableEntries - 1);
-  // Bits that are shifted, the new one from four of them: all values but one come, and what is
-  // before 0 is the last of HostPatience values.
-  localparam int PatienceBits = $clog2(sphere_pkg::HostPatience + 1);
-  localparam logic [PatienceBits-1:0] LastPatience = {1'b1, {PatienceBits - 1{1'b0}}};
+  // Bits that are shifted, the new one from two of them: what comes after HostPatience - 1 steps.
+  localparam int PatienceBits = 17;
+  localparam logic [PatienceBits-1:0] LastPatience = 17'h1ff80;
 
   logic waiting_q, taken_q, taken_d;  // valid_i was 1, and not taken; and taken
   logic answered_q, answered_d;  // a CPU sent something
@@ -131,8 +130,7 @@ module sphere_host_link #(
     answered_d = answered_q || cpu;
     patience_d = patience_q;
     if (listens)
-      patience_d = {patience_q[PatienceBits-2:0],
-                    ~(patience_q[15] ^ patience_q[14] ^ patience_q[12] ^ patience_q[3])};
+      patience_d = {patience_q[PatienceBits-2:0], ~(patience_q[16] ^ patience_q[13])};
     expired_d = expired_q || (listens && patience_q == LastPatience);
   end
 

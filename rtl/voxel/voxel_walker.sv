@@ -386,6 +386,14 @@ module voxel_walker #(
   assign t_out_o = leave ? t_out : t_out_q;
   assign step_o = leaf_step_q;
   assign state_o = state_q;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni && state_q != voxel_pkg::VoxelIdle && !setup) begin
+      level_is_known : assert (level_q <= Top);
+      it_is_not_the_lowest : assert (!down || level_q != '0);
+    end
+`endif
 endmodule
 
 `default_nettype wire

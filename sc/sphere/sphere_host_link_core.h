@@ -13,12 +13,17 @@
 
 namespace racebeam {
 
-/// A register that is shifted, its new bit from four others: from 0 to 0 through all values of 16
-/// bits but one. It is smaller than a counter, and every mistake in it shows at its end.
-static_assert(HostPatience == 0xffff);
+/// A register that is shifted, its new bit from two others: more than HostPatience values until it
+/// is 0 again. It is smaller than a counter, and every mistake in it moves its end.
+constexpr int PatienceBits = 17;
 constexpr unsigned next_patience(unsigned patience) {
-  const unsigned odd = patience >> 15 ^ patience >> 14 ^ patience >> 12 ^ patience >> 3;
-  return (patience << 1 | (~odd & 1)) & 0xffff;
+  const unsigned odd = patience >> 16 ^ patience >> 13;
+  return (patience << 1 | (~odd & 1)) & ((1u << PatienceBits) - 1);
+}
+constexpr unsigned last_patience() {
+  unsigned patience = 0;
+  for (int n = 1; n < HostPatience; ++n) patience = next_patience(patience);
+  return patience;
 }
 
 /// The wires from the CPU.
@@ -30,6 +35,8 @@ struct sphere_host_pins {
 };
 
 struct sphere_host_link_core {
+  static constexpr unsigned LastPatience = last_patience();
+
   bool waiting_q = false;   // valid is 1 and not taken
   bool taken_q = false;     // valid is 1 and was taken
   bool answered_q = false;  // a CPU sent something
@@ -73,8 +80,8 @@ struct sphere_host_link_core {
       take(in, last, spheres[std::min(count_q, number - 1)], count_q, k);
     }
     if (listens) {
+      expired_q = expired_q || patience_q == LastPatience;
       patience_q = next_patience(patience_q);
-      expired_q = expired_q || patience_q == 0;
     }
     taken_q = in.cpu.valid && (taken_q || listens);
     waiting_q = in.cpu.valid && !taken_q;
@@ -86,7 +93,7 @@ struct sphere_host_link_core {
     visit("waiting_q", 1, [this] { return waiting_q; });
     visit("taken_q", 1, [this] { return taken_q; });
     visit("answered_q", 1, [this] { return answered_q; });
-    visit("patience_q", 16, [this] { return patience_q; });
+    visit("patience_q", PatienceBits, [this] { return patience_q; });
     visit("expired_q", 1, [this] { return expired_q; });
     visit("count_q", SphereIndexBits, [this] { return count_q; });
     visit("loaded_q", 1, [this] { return loaded_q; });

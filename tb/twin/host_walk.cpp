@@ -6,19 +6,20 @@
 
 namespace racebeam {
 
-// What a CPU sends when nobody listens, and takes back, is no word. The scene changes with
-// pictures. What it sends first is an entry beyond the last one. After the last picture the link is
-// reset, and waits anew.
+// What a CPU sends when nobody listens, and takes back, is no word; and nobody listens when the
+// last clock of patience would come. The scene changes with pictures. What it sends first is an
+// entry beyond the last one. After the last picture the link is reset, and waits anew.
 void HostWalk::next() {
   constexpr std::uint64_t LastReset = Clocks - 100;
   bench_["rst_ni"].drive(clock_ > 0 && clock_ != LastReset);
-  const bool waits = !one_in(8);
+  const bool waits = !one_in(8) && listened_ != HostPatience - 1;
+  listened_ += waits || listened_ == HostPatience - 1;
   bench_["host_i"].drive(waits);
   bench_["valid_i"].drive((!waits || clock_ > Silence) && one_in(4));
   if (bench_["loaded_o"].value()) bench_["scene_i"].drive(one_in(2));
   for (UnitBench::Pin* pin : bench_.pins())
     if (pin->input && pin->bits > 1) pin->drive(raw_bits(random_(), pin->bits));
-  if (clock_ > Silence && clock_ < Silence + 16) bench_["sphere_i"].drive(0x1f);
+  if (clock_ > Silence && clock_ < Silence + 16) bench_["sphere_i"].drive(0xef);
   ++clock_;
 }
 

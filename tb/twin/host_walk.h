@@ -33,6 +33,7 @@ class HostWalk {
   UnitBench& bench_;
   std::mt19937 random_;
   std::uint64_t clock_ = 0;
+  int listened_ = 0;  // clocks, and a pause
 };
 
 }  // namespace racebeam

@@ -80,11 +80,8 @@ void TracerWalk::begin_episode() {
     bench_["sphere_last_i"].drive(0);
   }
   const std::uint64_t any = random_() & low_bits(SphereBits);
-  const std::uint64_t numbers[] = {std::uint64_t{1 + random_() % 8} << SphereFraction,
-                                   std::uint64_t{random_() % 2048} << SphereFraction,
-                                   NearestPlane,
-                                   static_cast<std::uint64_t>(min_weight_),
-                                   any,
+  const std::uint64_t numbers[] = {std::uint64_t{1 + random_() % 8} << SphereFraction, NearestPlane,
+                                   static_cast<std::uint64_t>(min_weight_), any,
                                    any >> random_() % SphereBits};
   value_ = numbers[one_in(2) ? 0 : random_() % std::size(numbers)];
 }
