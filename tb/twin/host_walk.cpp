@@ -13,7 +13,7 @@ void HostWalk::next() {
   constexpr std::uint64_t LastReset = Clocks - 100;
   bench_["rst_ni"].drive(clock_ > 0 && clock_ != LastReset);
   const bool waits = !one_in(8) && listened_ != HostPatience - 1;
-  listened_ += waits || listened_ == HostPatience - 1;
+  listened_ += clock_ > 0 && (waits || listened_ == HostPatience - 1);
   bench_["host_i"].drive(waits);
   bench_["valid_i"].drive((!waits || clock_ > Silence) && one_in(4));
   if (bench_["loaded_o"].value()) bench_["scene_i"].drive(one_in(2));
