@@ -235,7 +235,10 @@ module voxel_builder #(
       x_is_in_the_rectangle : assert (x_begin <= x_q && x_q < x_end);
       y_is_in_the_rectangle : assert (y_q < y_end);
       z_is_in_the_world : assert (z_q <= z_top);
+      columns_are_those_before : assert (!fills || columns_q <= 32'(y_q) * SizeX + 32'(x_q));
     end
+  always_ff @(posedge clk_i)
+    if (rst_ni) columns_are_in_the_world : assert (columns_q <= SizeX * SizeY);
 `endif
 endmodule
 
