@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/signoff/equal_steps.h"
 
+#include <iterator>
 #include <utility>
 
 #include "tb/signoff/always_zero.h"
@@ -70,9 +71,33 @@ void EqualSteps::choose(std::vector<Lanes>& state, std::vector<Lanes>& any) {
   }
 }
 
-/// One clock from those states of the unit, with `any` in registers of the mutant that are free.
+/// States of the unit that were seen, and for each some value of the mutant's word that goes with
+/// it; the lanes in which there is one.
+EqualSteps::Lanes EqualSteps::choose_seen(std::vector<Lanes>& state, std::vector<Lanes>& any) {
+  const RegisterWord& word = reached_.word();
+  state = possible_.seen()[random_() % possible_.seen().size()];
+  for (const std::size_t bit : word) any[bit] = 0;
+  Lanes known = 0;
+  for (int lane = 0; lane < 64; ++lane) {
+    unsigned value = 0;
+    for (std::size_t bit = 0; bit < word.size(); ++bit)
+      value |= static_cast<unsigned>(state[word[bit]] >> lane & 1) << bit;
+    const auto where = reached_.by_value().find(value);
+    if (where == reached_.by_value().end()) continue;
+    const auto& others = where->second.mutant;
+    const unsigned mutant =
+        *std::next(others.begin(), static_cast<std::ptrdiff_t>(random_() % others.size()));
+    for (std::size_t bit = 0; bit < word.size(); ++bit)
+      any[word[bit]] |= Lanes{(mutant >> bit) & 1} << lane;
+    known |= Lanes{1} << lane;
+  }
+  return known;
+}
+
+/// One clock, in those lanes, from those states of the unit, with `any` in registers of the mutant
+/// that are free.
 void EqualSteps::run(const std::vector<Lanes>& inputs, const std::vector<Lanes>& state,
-                     const std::vector<Lanes>& any) {
+                     const std::vector<Lanes>& any, Lanes which) {
   const std::vector<Lanes> mutant = reached_.beside(LaneBits{}, state, any);
   for (std::size_t n = 0; n < inputs.size(); ++n)
     unit_lanes_.input(n) = mutant_lanes_.input(n) = inputs[n];
@@ -82,7 +107,7 @@ void EqualSteps::run(const std::vector<Lanes>& inputs, const std::vector<Lanes>&
   }
   unit_lanes_.settle();
   mutant_lanes_.settle();
-  grow(possible_.claimed(state));
+  grow(which & possible_.claimed(state));
 }
 
 /// Takes in what that clock has led to in those lanes.
@@ -116,8 +141,10 @@ void EqualSteps::run_a_while(Clock::time_point end) {
   for (int quiet = 0; quiet < Quiet && !differ_ && Clock::now() < end; ++quiet) {
     grew_ = false;
     std::vector<Lanes> state = random_lanes(unit_.next.size()), any = random_lanes(state.size());
-    choose(state, any);
-    run(random_lanes(unit_.inputs), state, any);
+    Lanes which = LaneBits::Yes;
+    if (quiet % 2 == 1 && !possible_.seen().empty()) which = choose_seen(state, any);
+    else choose(state, any);
+    run(random_lanes(unit_.inputs), state, any, which);
     if (grew_) quiet = 0;
   }
 }
@@ -144,7 +171,7 @@ void EqualSteps::run_around(const std::vector<bool>& values, unsigned value) {
     state[word[bit]] = ((value >> bit) & 1) != 0 ? LaneBits::Yes : 0;
     any[word[bit]] = ((all >> bit) & 1) != 0 ? LaneBits::Yes : 0;
   }
-  run(inputs, state, any);
+  run(inputs, state, any, LaneBits::Yes);
 }
 
 /// Of states where the unit's word has that value. Inputs: those of the unit, its registers, and

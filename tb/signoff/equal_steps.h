@@ -34,8 +34,9 @@ class EqualSteps {
   using Lanes = std::uint64_t;
   std::vector<Lanes> random_lanes(std::size_t count);
   void choose(std::vector<Lanes>& state, std::vector<Lanes>& any);
+  Lanes choose_seen(std::vector<Lanes>& state, std::vector<Lanes>& any);
   void run(const std::vector<Lanes>& inputs, const std::vector<Lanes>& state,
-           const std::vector<Lanes>& any);
+           const std::vector<Lanes>& any, Lanes which);
   void run_a_while(std::chrono::steady_clock::time_point end);
   void run_around(const std::vector<bool>& values, unsigned value);
   void grow(Lanes which);

@@ -36,6 +36,8 @@ class StateValues {
   Literal hold(AndCircuit& circuit, const std::vector<Literal>& state) const;
   /// Puts such values, in 64 lanes, where `state` has others; claims may be wrong of them.
   void choose(std::mt19937_64& random, std::vector<std::uint64_t>& state) const;
+  /// States of the short run; or none.
+  const std::vector<std::vector<std::uint64_t>>& seen() const { return seen_; }
   /// The lanes in which all claims hold.
   std::uint64_t claimed(const std::vector<std::uint64_t>& state) const;
   std::size_t claims() const { return claims_.outputs.size(); }
@@ -59,6 +61,7 @@ class StateValues {
 
   std::vector<Group> groups_;  // of which some value is not possible
   AndCircuit claims_;
+  std::vector<std::vector<std::uint64_t>> seen_;
 };
 
 }  // namespace racebeam
