@@ -43,10 +43,10 @@ StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWo
     else
       for (const std::size_t bit : word) groups_.push_back({{bit}, {0}});
   }
-  const auto end = Clock::now() + limit;
+  const auto half = Clock::now() + limit / 2, end = half + limit / 2;
   run_a_while(circuit);
   const std::vector<Group> never_left = groups_;
-  if (!close(circuit, end)) {
+  if (!close(circuit, half)) {
     const auto wide = [](const Group& group) { return group.bits.size() == 1; };
     groups_.erase(std::remove_if(groups_.begin(), groups_.end(), wide), groups_.end());
     if (!close(circuit, end)) groups_.clear();
