@@ -131,18 +131,21 @@ module divider_unit #(
   assign done_o = done_q;
 
 `ifndef SYNTHESIS
-  // It has no more bits than were taken, and is less than the denominator.
-  function automatic logic is_small(input number remainder);
+  // It has no more bits than were taken, and is less than the denominator; nobody reads its highest.
+  function automatic logic is_small(input logic [Bits-2:0] remainder);
     is_small = (remainder >> (32'(step_q) * StepBits)) == '0 &&
-               (denominator_q == '0 || remainder < denominator_q);
+               (denominator_q == '0 || {1'b0, remainder} < denominator_q);
   endfunction
 
   always_ff @(posedge clk_i)
+    if (rst_ni)
+      it_ends : assert (step_q <= LastStep || step_q == LastStep + 1'b1 && done_q);
+  always_ff @(posedge clk_i)
     if (rst_ni && step_q != '0) begin
       denominator_is_a_magnitude : assert (!denominator_q[Bits-1] || denominator_q[Bits-2:0] == '0);
-      remainder_x_is_small : assert (is_small(remainder_x_q));
-      remainder_y_is_small : assert (is_small(remainder_y_q));
-      remainder_z_is_small : assert (is_small(remainder_z_q));
+      remainder_x_is_small : assert (is_small(remainder_x_q[Bits-2:0]));
+      remainder_y_is_small : assert (is_small(remainder_y_q[Bits-2:0]));
+      remainder_z_is_small : assert (is_small(remainder_z_q[Bits-2:0]));
     end
 `endif
 endmodule

@@ -198,7 +198,7 @@ MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mu
 }
 
 MutantCircuit::MutantCircuit(const std::string& aiger, const std::string& map)
-    : named_{read_circuit(aiger), {}, {}} {
+    : named_{read_circuit(aiger), {}, {}, {}} {
   std::map<std::string, RegisterWord> words;
   std::istringstream lines(map);
   for (std::string line; std::getline(lines, line);) {
@@ -206,7 +206,11 @@ MutantCircuit::MutantCircuit(const std::string& aiger, const std::string& map)
     std::string kind, name;
     std::size_t at, bit;
     if (!(fields >> kind >> at >> bit >> name)) continue;
-    if (kind == "latch") words[name].push_back(at);
+    if (kind == "latch") {
+      words[name].push_back(at);
+      // Names of yosys, "$auto$...", are not those of another circuit.
+      if (name[0] != '$') named_.registers[fmt::format("{} {}", name, bit)] = at;
+    }
     if (kind != "input") continue;
     if (name != MutantInput) {
       named_.inputs[fmt::format("{} {}", name, bit)] = at;
@@ -225,7 +229,9 @@ AndCircuit MutantCircuit::with(int number) const {
   return with_constant_inputs(named_.circuit, constants);
 }
 
-NamedCircuit MutantCircuit::named() const { return {with(0), named_.inputs, named_.words}; }
+NamedCircuit MutantCircuit::named() const {
+  return {with(0), named_.inputs, named_.words, named_.registers};
+}
 
 bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<Raw>>& rows) {
   for (const auto& row : rows) {

@@ -2,43 +2,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/signoff/named_circuit.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <string>
 
 #include "tb/base/reset_value.h"
-#include "tb/signoff/random_run.h"
 
 namespace racebeam {
 
 namespace {
 
-constexpr std::uint64_t Fold = 0x9e3779b97f4a7c15;  // of a trace to a number: odd, few patterns
+using Lanes = std::uint64_t;
 
-/// What each register did, as one number.
-std::vector<std::uint64_t> traces_of(const NamedCircuit& named) {
-  std::vector<std::size_t> inputs;
-  for (const auto& [name, input] : named.inputs) inputs.push_back(input);
-  std::vector<std::uint64_t> traces(named.circuit.next.size());
-  run_from_zero(named.circuit, inputs, [&](const CircuitLanes& lanes) {
-    for (std::size_t n = 0; n < traces.size(); ++n)
-      traces[n] = (traces[n] ^ lanes.of(named.circuit.next[n])) * Fold;
-  });
-  return traces;
+constexpr unsigned Rounds = 512, Densities = 6;
+
+/// A number that follows from two, as splitmix64 makes it.
+Lanes mixed(Lanes a, Lanes b) {
+  Lanes value = a + (b + 1) * 0x9e3779b97f4a7c15;
+  value = (value ^ value >> 30) * 0xbf58476d1ce4e5b9;
+  value = (value ^ value >> 27) * 0x94d049bb133111eb;
+  return value ^ value >> 31;
+}
+
+/// 64 bits that follow from a number, of which a half is 1, a quarter, ..., or a 64th.
+Lanes lanes_of(Lanes seed, Lanes density) {
+  Lanes lanes = mixed(seed, 0);
+  for (density %= Densities; density > 0; --density) lanes &= mixed(seed, density);
+  return lanes;
+}
+
+/// What each register does, as one number. They begin alike but for names that both circuits have;
+/// registers that are alike have the same values, and those that then take different ones are alike
+/// no more. In some rounds a port or a register has few ones: small numbers are more often equal.
+std::vector<Lanes> deeds_of(const NamedCircuit& named, const NamedCircuit& other) {
+  std::vector<Lanes> deeds(named.circuit.next.size());
+  for (const auto& [name, n] : named.registers)
+    if (other.registers.count(name) > 0) deeds[n] = std::hash<std::string>{}(name);
+  CircuitLanes lanes(named.circuit);
+  for (Lanes round = 1; round <= Rounds; ++round) {
+    Lanes bit = 0;
+    for (const auto& [name, input] : named.inputs) {
+      const Lanes port = std::hash<std::string>{}(name.substr(0, name.find(' ')));
+      lanes.input(input) = lanes_of(mixed(++bit, round), mixed(port, round));
+    }
+    for (std::size_t n = 0; n < deeds.size(); ++n)
+      lanes.register_at(n) = lanes_of(mixed(deeds[n], round), mixed(deeds[n] + 1, round));
+    lanes.settle();
+    for (std::size_t n = 0; n < deeds.size(); ++n)
+      deeds[n] = mixed(deeds[n], lanes.of(named.circuit.next[n]));
+  }
+  return deeds;
 }
 
 constexpr std::size_t None = ~std::size_t{0};
 
-/// For each register of `like` one of `circuit` that did the same, or None. Of several the first is
-/// that of the first: so those that never move are told apart as far as both have one order.
+/// For each register of `like` one of `circuit` that does the same, or None. Of several the first
+/// is that of the first.
 std::vector<std::size_t> same_registers(const NamedCircuit& like, const NamedCircuit& circuit) {
-  std::multimap<std::uint64_t, std::size_t> by_trace;
-  const auto traces = traces_of(circuit);
-  for (std::size_t n = 0; n < traces.size(); ++n) by_trace.emplace(traces[n], n);
+  std::multimap<Lanes, std::size_t> by_deed;
+  const auto deeds = deeds_of(circuit, like);
+  for (std::size_t n = 0; n < deeds.size(); ++n) by_deed.emplace(deeds[n], n);
   std::vector<std::size_t> same;
-  for (const std::uint64_t trace : traces_of(like)) {
-    const auto at = by_trace.find(trace);
-    same.push_back(at == by_trace.end() ? None : at->second);
-    if (at != by_trace.end()) by_trace.erase(at);
+  for (const Lanes deed : deeds_of(like, circuit)) {
+    const auto at = by_deed.find(deed);
+    same.push_back(at == by_deed.end() ? None : at->second);
+    if (at != by_deed.end()) by_deed.erase(at);
   }
   return same;
 }

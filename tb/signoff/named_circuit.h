@@ -19,12 +19,14 @@ using RegisterWord = std::vector<std::size_t>;
 /// A circuit whose inputs and registers have names.
 struct NamedCircuit {
   AndCircuit circuit;
-  std::map<std::string, std::size_t> inputs;  ///< by name and bit: "start_i 0"
-  std::vector<RegisterWord> words;            ///< of all registers or some
+  std::map<std::string, std::size_t> inputs;          ///< by name and bit: "start_i 0"
+  std::vector<RegisterWord> words;                    ///< of all registers or some
+  std::map<std::string, std::size_t> registers = {};  ///< by name and bit, all or some
 };
 
 /// The words of `circuit` as `like` has them, which does the same with the same inputs. Only a
-/// guess: registers that have the same values in a short run are the same.
+/// guess: registers are the same that have the same name or else take the same values, from random
+/// ones that are equal where the registers may be the same.
 std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircuit& circuit);
 
 /// What the assertions of `like` say of the registers of `circuit`, by the same guess: a circuit

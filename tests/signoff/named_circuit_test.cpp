@@ -1,4 +1,5 @@
-// Registers of another circuit are found by what they do, and with them what is claimed of them.
+// Registers of another circuit are found by name and by what they do, and with them what is claimed
+// of them.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -54,6 +55,19 @@ TEST(NamedCircuitTest, AnAssertionClaimsTheSameOfThem) {
   lanes.input(1) = 0b0101;
   lanes.settle();
   EXPECT_EQ(lanes.of(claims.outputs[0]) & 0xf, 0b0010u);
+}
+
+/// Two registers that keep what they have: nothing but a name tells which is which.
+TEST(NamedCircuitTest, RegistersOfOneNameAreTheSame) {
+  NamedCircuit like, other;
+  for (NamedCircuit* one : {&like, &other}) {
+    one->circuit.next = {False, False};
+    one->circuit.next = {one->circuit.register_at(0), one->circuit.register_at(1)};
+  }
+  like.words = {{0}};
+  like.registers = {{"a_q 0", 0}};
+  other.registers = {{"a_q 0", 1}};
+  EXPECT_EQ(words_as_in(like, other), (std::vector<RegisterWord>{{1}, {0}}));
 }
 
 TEST(NamedCircuitTest, WithoutARegisterThereIsNoClaim) {
