@@ -61,6 +61,7 @@ module voxel_builder #(
   localparam int BitsX = $clog2(VoxelX);
   localparam int BitsY = $clog2(VoxelY);
   localparam int BitsZ = $clog2(VoxelZ);
+  localparam int CountBits = $clog2(SizeX * SizeY + 1);  // of columns
   localparam logic [LevelBits-1:0] TopLevel = LevelBits'(Levels - 1);
 
   typedef logic [Bits-1:0] place;
@@ -77,7 +78,7 @@ module voxel_builder #(
   logic [2:0] child_q, child_d;  // UP: that is looked at
   logic found_q, found_d;  // and the last one was occupied
   logic [HeightBits-1:0] low_q, low_d, middle_q, middle_d, high_q, high_d;
-  logic [31:0] columns_q, columns_d;
+  logic [CountBits-1:0] columns_q, columns_d;
 
   wire logic idle = state_q == voxel_pkg::VoxelBuilderIdle;
   wire logic fills = state_q == voxel_pkg::VoxelBuilderFill;
@@ -220,7 +221,7 @@ module voxel_builder #(
   end
 
   assign done_o = idle || tops && last && leaves;
-  assign columns_o = columns_q;
+  assign columns_o = 32'(columns_q);
   assign state_o = state_q;
 
 `ifndef SYNTHESIS
@@ -235,10 +236,10 @@ module voxel_builder #(
       x_is_in_the_rectangle : assert (x_begin <= x_q && x_q < x_end);
       y_is_in_the_rectangle : assert (y_q < y_end);
       z_is_in_the_world : assert (z_q <= z_top);
-      columns_are_those_before : assert (!fills || columns_q <= 32'(y_q) * SizeX + 32'(x_q));
+      columns_are_those_before : assert (!fills || 32'(columns_q) <= 32'(y_q) * SizeX + 32'(x_q));
     end
   always_ff @(posedge clk_i)
-    if (rst_ni) columns_are_in_the_world : assert (columns_q <= SizeX * SizeY);
+    if (rst_ni) columns_are_in_the_world : assert (32'(columns_q) <= SizeX * SizeY);
 `endif
 endmodule
 
