@@ -75,7 +75,7 @@ void shrink_difference(FirstDifference& first, const UnitUnderTest& dut, Stimulu
   const StreamPlayer player(twins);
   const std::optional<ShrunkStream> small =
       shrink(player.record(stimulus, seed, first.clock + 1, MostRecorded), first.port,
-             twins_of(engine_of(dut.k)).inputs(dut.k, dut.unit),
+             twins_of(engine_of(dut.k)).inputs(dut.k, dut.scene, dut.unit),
              [&](const std::string& port, std::size_t count, const Streams& streams) {
                return player.find(port, count, streams);
              });

@@ -66,7 +66,8 @@ void add_run(const UnitUnderTest& dut, const std::string& plugin, UnitDrive::Sti
 void find_constant(const UnitUnderTest& dut, RtlSources sources, UnitCoverage& coverage) {
   const RtlSyntax syntax = read_rtl_syntax(sources);
   const ConstantBits constants(
-      sources, tied_inputs(twins_of(engine_of(dut.k)).inputs(dut.k, dut.unit), syntax.ports));
+      sources,
+      tied_inputs(twins_of(engine_of(dut.k)).inputs(dut.k, dut.scene, dut.unit), syntax.ports));
   for (std::size_t n = 0; n < coverage.points.size(); ++n) {
     const CoveragePoint& point = coverage.points[n];
     const std::string file =

@@ -40,7 +40,7 @@ MutantSurvivors::MutantSurvivors(const SignoffUnit& unit, const SignoffOptions& 
       netlist_(netlist),
       plugin_(plugin),
       ports_(ports_in(unit.dut, work)),
-      legal_(twins_of(engine_of(unit.dut.k)).inputs(unit.dut.k, unit.dut.unit)),
+      legal_(twins_of(engine_of(unit.dut.k)).inputs(unit.dut.k, unit.dut.scene, unit.dut.unit)),
       streams_(plugin, ports_, legal_),
       proof_{netlist, ports_, legal_, std::chrono::seconds(options.proof_seconds)} {}
 

@@ -93,4 +93,12 @@ LegalInputs beam_inputs(const knobs& k) {
   });
 }
 
+LegalInputs room_table_inputs(const knobs& k, const scene_tables* scene) {
+  constexpr Raw Others = 4;  // one in so many stays what it is
+  if (!scene) return beam_inputs(k);
+  const std::size_t rooms = static_cast<const scene_program*>(scene)->rooms.size();
+  const auto near = [rooms](Raw raw) { return raw % Others == 0 ? raw : raw % (rooms + 1); };
+  return beam_inputs(k).preceded_by({"room", near, true});
+}
+
 }  // namespace racebeam

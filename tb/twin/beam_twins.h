@@ -18,4 +18,7 @@ PluginMaker beam_plugins(const knobs& k, const scene_tables* scene = nullptr, bo
 /// The widths of a chip with the knobs `k`.
 LegalInputs beam_inputs(const knobs& k);
 
+/// Of scene_rom with the table of `scene`: mostly rooms that it has, and the one behind the last.
+LegalInputs room_table_inputs(const knobs& k, const scene_tables* scene);
+
 }  // namespace racebeam

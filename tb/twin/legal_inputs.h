@@ -28,6 +28,13 @@ class LegalInputs {
   /// The first rule that fits an input holds; without one it takes all values.
   explicit LegalInputs(std::vector<Rule> rules) : rules_(std::move(rules)) {}
 
+  /// These, but first the rule `one`.
+  LegalInputs preceded_by(Rule one) const {
+    LegalInputs others = *this;
+    others.rules_.insert(others.rules_.begin(), std::move(one));
+    return others;
+  }
+
   /// `raw`, or the value made of it by the rule of the input `port`.
   std::uint64_t of(const std::string& port, std::uint64_t raw) const {
     const Rule* const rule = rule_of(port);

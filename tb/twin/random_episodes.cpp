@@ -20,7 +20,7 @@ std::string known_streams(const UnitUnderTest& dut) {
 std::shared_ptr<RandomTraffic> random_traffic(const UnitUnderTest& dut, UnitBench& bench,
                                               unsigned seed) {
   const engine& built = engine_of(dut.k);
-  const LegalInputs legal = twins_of(built).inputs(dut.k, dut.unit);
+  const LegalInputs legal = twins_of(built).inputs(dut.k, dut.scene, dut.unit);
   auto traffic = std::make_shared<RandomTraffic>(bench, legal, seed);
   const std::string known = known_streams(dut);
   if (dut.k == built.standard(nullptr) && std::filesystem::exists(known))

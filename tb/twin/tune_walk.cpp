@@ -9,27 +9,42 @@ namespace racebeam {
 namespace {
 
 constexpr int LineClocks = 2 * TuneWalk::SampleClocks;
-constexpr int FirstColumn = -960;  // x2 where a line begins
+constexpr int FirstColumn = -960;  // x2 where a line begins, and sample A; 800 on sample B
+constexpr int SlotClocks = 32, Voices = 24;
+constexpr int Takes = 29, AddsHigh = 31;  // clocks of a voice's slot
 
 }  // namespace
 
 void TuneWalk::next() {
-  const int clock = clock_++;
-  if (clock >= static_cast<int>(TuneClocks))
-    return count_phase(clock - static_cast<int>(TuneClocks));
-  if (clock % SampleClocks == 0) next_step(clock / SampleClocks);
+  const int clock = clock_++, moment = clock - static_cast<int>(TuneClocks);
   bench_["rst_ni"].drive(clock > 0);
-  drive_x2(FirstColumn + clock % LineClocks);
+  if (moment < 0) {
+    if (clock % SampleClocks == 0) next_step(clock / SampleClocks);
+    return drive_x2(FirstColumn + clock % LineClocks);
+  }
+  if (moment % MomentClocks == 0) next_moment();
+  drive_x2(moment_x2(moment % MomentClocks));
 }
 
 void TuneWalk::drive_x2(int x2) { bench_["x2_i"].drive(x2 & low_bits(bench_["x2_i"].bits)); }
 
-// From a reset on it stays where the low half is counted, until that wraps, then where each clock
-// adds the carry to the high half.
-void TuneWalk::count_phase(int clock) {
-  constexpr int EndOfSample = -192, LowHalf = 1024;
-  bench_["rst_ni"].drive(clock > 0);
-  drive_x2(clock <= LowHalf ? EndOfSample : EndOfSample + 1);
+// Any time of the tune or, seldom, after it.
+void TuneWalk::next_moment() {
+  constexpr int MostSkipped = 64;
+  first_x2_ = FirstColumn + below(2) * SampleClocks;
+  skipped_ = below(MostSkipped);
+  bench_["speed_i"].drive(random_() & low_bits(bench_["speed_i"].bits));
+  bench_["frame_i"].drive(below(8) == 0 ? random_() & low_bits(bench_["frame_i"].bits)
+                                        : below(Steps * tune::StepFrames));
+  bench_["y_i"].drive((FirstLine + below(FrameLines)) & low_bits(bench_["y_i"].bits));
+}
+
+// Of each voice the two clocks that count, then those of the end of a sample, then none.
+int TuneWalk::moment_x2(int clock) const {
+  if (clock < 2 * Voices)
+    return first_x2_ + clock / 2 * SlotClocks + (clock % 2 == 0 ? Takes : AddsHigh);
+  const int end_x2 = first_x2_ + Voices * SlotClocks, after = clock - 2 * Voices - skipped_;
+  return after < 0 || after == 1 ? end_x2 + 1 : after == 0 ? end_x2 : first_x2_;
 }
 
 // The edges of a step are where notes begin, fade and end.

@@ -37,7 +37,7 @@ TwinBench::TwinBench(const UnitUnderTest& dut)
 
 PortStream TwinBench::form() const {
   PortStream form = stream_of(traffic_of(dut_.unit, bench_),
-                              twins_of(engine_of(dut_.k)).inputs(dut_.k, dut_.unit));
+                              twins_of(engine_of(dut_.k)).inputs(dut_.k, dut_.scene, dut_.unit));
   form.counts_frames = counter_ != nullptr;
   return form;
 }

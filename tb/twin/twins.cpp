@@ -11,6 +11,7 @@
 #include "sc/beam/knob_parameters.h"
 #include "sc/beam/navigator.h"
 #include "sc/beam/pwm_sound.h"
+#include "sc/beam/scene_rom.h"
 #include "sc/beam/sequencer.h"
 #include "sc/beam/subdivider.h"
 #include "sc/beam/timeline.h"
@@ -57,7 +58,9 @@ Twins beam() {
           [](const knob_values& k, const scene_tables* scene, bool traced) {
             return beam_plugins(k, scene, traced);
           },
-          [](const knob_values& k, const std::string&) { return beam_inputs(k); },
+          [](const knob_values& k, const scene_tables* scene, const std::string& unit) {
+            return unit == scene_rom::unit_name ? room_table_inputs(k, scene) : beam_inputs(k);
+          },
           [](const knob_values& k, const scene_tables* scene) {
             return !scene && without_pins(k) == knobs();
           },
@@ -85,18 +88,19 @@ const sphere_tables& tables_of(const scene_tables* scene) {
 }
 
 Twins sphere() {
-  return {
-      sphere_engine(),
-      [](const knob_values& k, const scene_tables* scene, bool traced) {
-        return sphere_plugins(k, tables_of(scene), traced);
-      },
-      [](const knob_values&, const std::string& unit) { return inputs_of(unit, LegalInputs({})); },
-      no_top,
-      {{sphere_tracer::unit_name, "to the end of two pictures", TracerWalk::Clocks,
-        begin_walk<TracerWalk>},
-       {sphere_host_link::unit_name, "until no CPU is there", HostWalk::Clocks,
-        begin_walk<HostWalk>},
-       through_a_frame()}};
+  return {sphere_engine(),
+          [](const knob_values& k, const scene_tables* scene, bool traced) {
+            return sphere_plugins(k, tables_of(scene), traced);
+          },
+          [](const knob_values&, const scene_tables*, const std::string& unit) {
+            return inputs_of(unit, LegalInputs({}));
+          },
+          no_top,
+          {{sphere_tracer::unit_name, "to the end of two pictures", TracerWalk::Clocks,
+            begin_walk<TracerWalk>},
+           {sphere_host_link::unit_name, "until no CPU is there", HostWalk::Clocks,
+            begin_walk<HostWalk>},
+           through_a_frame()}};
 }
 
 Twins block() {
@@ -105,7 +109,7 @@ Twins block() {
       [](const knob_values& k, const scene_tables*, bool traced) {
         return block_plugins(k, traced);
       },
-      [](const knob_values& k, const std::string& unit) {
+      [](const knob_values& k, const scene_tables*, const std::string& unit) {
         return inputs_of(unit, block_inputs_of(k));
       },
       no_top,
@@ -120,7 +124,7 @@ Twins voxel() {
       [](const knob_values& k, const scene_tables*, bool traced) {
         return voxel_plugins(k, traced);
       },
-      [](const knob_values& k, const std::string& unit) {
+      [](const knob_values& k, const scene_tables*, const std::string& unit) {
         return inputs_of(unit, voxel_inputs_of(k));
       },
       no_top,

@@ -30,8 +30,8 @@ struct Twins {
   /// Plug-ins for chips with the knobs `k` that show `scene`, which must outlive the maker;
   /// nullptr: the built-in demo. `traced`: signals inside the RTL can be read.
   PluginMaker (*plugins)(const knob_values& k, const scene_tables* scene, bool traced);
-  /// What can come to a unit of a chip with the knobs `k`.
-  LegalInputs (*inputs)(const knob_values& k, const std::string& unit);
+  /// What can come to a unit of a chip with the knobs `k` that shows `scene`; nullptr: its own.
+  LegalInputs (*inputs)(const knob_values& k, const scene_tables* scene, const std::string& unit);
   /// Whether engine::top with its own parameters is such a chip.
   bool (*is_top)(const knob_values& k, const scene_tables* scene);
   std::vector<UnitWalk> walks;

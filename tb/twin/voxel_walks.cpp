@@ -8,6 +8,12 @@
 
 namespace racebeam {
 
+namespace {
+
+constexpr int LongestInverse = VoxelInverseBits - VoxelInverseFraction - 1;  // 2 to that
+
+}  // namespace
+
 BuildWalk::BuildWalk(UnitBench& bench, const knob_values& k, unsigned seed)
     : bench_(bench),
       size_x_(voxel_knobs(k).size_x),
@@ -72,11 +78,12 @@ void RayWalk::begin_ray() {
   limited_ = 1 << 2 * below(6);
   const bool alike = one_in(2);
   const std::int64_t all = inverse(), whole = std::int64_t{1} << VoxelInverseFraction;
+  const std::int64_t steep = one_in(4) ? whole << LongestInverse : whole;
   for (const std::string axis : {"x", "y", "z"}) {
     drive("origin_" + axis + "_i", coordinate());
     drive("direction_" + axis + "_i", direction());
     drive("light_" + axis + "_i", direction());
-    drive("inverse_" + axis + "_i", one_in(2) ? whole : alike ? all : inverse());
+    drive("inverse_" + axis + "_i", one_in(2) ? steep : alike ? all : inverse());
   }
 }
 
@@ -94,15 +101,16 @@ std::int64_t RayWalk::coordinate() {
   return places[below(7)] * (1 << VoxelPositionFraction) + beside[below(5)];
 }
 
-// Parallel to an axis, or almost, or long enough for an inverse.
+// Parallel to an axis, or almost, or but for one bit; or long enough for an inverse.
 std::int64_t RayWalk::direction() {
   const std::int64_t sizes[] = {0,
                                 VoxelParallel - 1,
                                 VoxelParallel,
-                                VoxelParallel + 1,
+                                below(2 * VoxelParallel),
+                                (1 << below(VoxelDirectionBits)) + below(2 * VoxelParallel),
                                 std::int64_t{1} << VoxelDirectionFraction,
                                 static_cast<std::int64_t>(random_() >> below(32))};
-  const std::int64_t size = sizes[below(6)];
+  const std::int64_t size = sizes[below(7)];
   return one_in(2) ? size : -size;
 }
 
@@ -111,7 +119,7 @@ std::int64_t RayWalk::inverse() {
   const std::int64_t sizes[] = {whole,
                                 whole + 1,
                                 whole - 1,
-                                2 * whole,
+                                whole << below(LongestInverse + 1),
                                 whole / 2,
                                 0,
                                 static_cast<std::int64_t>(random_() >> below(32))};

@@ -34,7 +34,7 @@ TEST(LegalInputsTest, LegalValuesOfEachUnitOfEachEngineStayAsTheyAre) {
   for (const Twins& row : twins()) {
     const knob_values k = row.engine.standard(nullptr);
     for (const std::string& unit : row.engine.unit_names(false)) {
-      const LegalInputs legal = row.inputs(k, unit);
+      const LegalInputs legal = row.inputs(k, nullptr, unit);
       const auto model =
           row.engine.unit(unit)->make((row.engine.name + ("_" + unit)).c_str(), k, nullptr);
       for (const PortTraffic::Port& port : traffic_ports(*model)) {

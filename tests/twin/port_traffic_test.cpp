@@ -25,7 +25,7 @@ constexpr std::uint64_t Clocks = 3000;
 class PortTrafficOfTheFifo : public testing::Test {
  protected:
   PortTrafficOfTheFifo() {
-    RandomTraffic random(bench_, row_.inputs(k_, "interval_fifo"), 1);
+    RandomTraffic random(bench_, row_.inputs(k_, nullptr, "interval_fifo"), 1);
     for (std::uint64_t clock = 0; clock < Clocks; ++clock) {
       random.next();
       bench_.settle();

@@ -33,8 +33,9 @@ class RandomTrafficTest : public testing::Test {
     const knob_values k = row.engine.standard(nullptr);
     const auto model = row.engine.unit(unit)->make("model", k, nullptr);
     UnitBench bench(*model);
-    RandomTraffic traffic(bench, row.inputs(k, unit), seed);
-    if (known) traffic.begin_with(known(stream_of(traffic_of(unit, bench), row.inputs(k, unit))));
+    RandomTraffic traffic(bench, row.inputs(k, nullptr, unit), seed);
+    if (known)
+      traffic.begin_with(known(stream_of(traffic_of(unit, bench), row.inputs(k, nullptr, unit))));
     for (int clock = 0; clock < clocks; ++clock) {
       if (clock > 0) traffic.next();
       bench.settle();
