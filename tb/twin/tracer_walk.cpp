@@ -41,6 +41,19 @@ void TracerWalk::next() {
   if (mirrors_) return bench_["is_light_i"].drive(0);
   for (UnitBench::Pin* pin : numbers_)
     if (!one_in(3)) pin->drive(number(pin->bits));
+  if (reach_ > 0) drive_limits();
+}
+
+// Planes are met before or behind their limits, whatever these are.
+void TracerWalk::drive_limits() {
+  bench_["limited_i"].drive(1);
+  for (const char axis : {'x', 'y', 'z'}) {
+    bench_[std::string("limit_") + axis + "_i"].drive(random_() % static_cast<unsigned>(reach_));
+    const std::uint64_t way = random_() % (static_cast<unsigned>(reach_) << SphereFraction);
+    bench_[std::string("product_") + axis + "_i"].drive(
+        raw_bits(one_in(2) ? way : -way, SphereBits));
+  }
+  bench_["quotient_x_i"].drive(random_() % (1u << (SphereBits - 1)));
 }
 
 // The eye is in a sphere, and nobody has to wait.
@@ -73,11 +86,13 @@ void TracerWalk::begin_episode() {
   for (UnitBench::Pin* pin : modes_)
     pin->drive(raw_bits(random_() >> (one_in(2) ? 30 : 0), pin->bits));
   mirrors_ = one_in(4);
+  reach_ = 0;
   if (mirrors_) return begin_mirrors();
   if (one_in(2)) {
     bench_["planes_i"].drive(1);
     bench_["plane_empty_i"].drive(0);
     bench_["sphere_last_i"].drive(0);
+    if (one_in(4)) reach_ = 2 << random_() % UnitBits;
   }
   const std::uint64_t any = random_() & low_bits(SphereBits);
   const std::uint64_t numbers[] = {std::uint64_t{1 + random_() % 8} << SphereFraction, NearestPlane,

@@ -35,6 +35,7 @@ class TracerWalk {
   void go_through_pictures();
   void begin_episode();
   void begin_mirrors();
+  void drive_limits();
   std::uint64_t number(int bits);
   bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
 
@@ -45,6 +46,7 @@ class TracerWalk {
   bool begun_ = false, narrow_ = false, mirrors_ = false;
   int drawn_ = 0;            // pictures
   int left_ = 0;             // clocks of the episode
+  int reach_ = 0;            // planes have limits up to this many units; 0: as all numbers
   std::uint64_t value_ = 0;  // of its numbers
 };
 
