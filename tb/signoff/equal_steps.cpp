@@ -196,6 +196,9 @@ AndCircuit EqualSteps::question(unsigned value) const {
     state[word[bit]] = ((value >> bit) & 1) != 0 ? True : False;
     if (((least ^ most) >> bit & 1) == 0) any[word[bit]] = ((least >> bit) & 1) != 0 ? True : False;
   }
+  const Literal is_possible = possible_.hold(circuit, state);
+  for (std::size_t n = 0; n < registers; ++n)
+    if (!reached_.in_word(n)) state[n] = circuit.all(is_possible, state[n]);
   const auto step = [&](const AndCircuit& of, const std::vector<Literal>& from) {
     std::vector<Literal> values = inputs;
     values.insert(values.end(), from.begin(), from.end());
@@ -206,7 +209,7 @@ AndCircuit EqualSteps::question(unsigned value) const {
   Literal is_other = False;
   for (const unsigned other : others)
     is_other = circuit.any(is_other, reached_.is(bits, any, other));
-  const Literal before = circuit.all(is_other, possible_.hold(circuit, state));
+  const Literal before = circuit.all(is_other, is_possible);
   const auto last = static_cast<std::ptrdiff_t>(registers);
   const std::vector<Literal> next(unit.begin(), unit.begin() + last);
   const std::vector<Literal> beside_next(mutant.begin(), mutant.begin() + last);

@@ -27,8 +27,8 @@ namespace {
 constexpr const char* AsItIs = "strash";
 constexpr const char* Swept = "strash; &get; &scorr -C 10; &put; lcorr -C 100";
 constexpr const char* SweptLong = "strash; scorr";
-constexpr std::size_t SmallWord = 6;  // bits
-constexpr int StateSeconds = 60;      // to find out which states there are
+constexpr std::size_t SmallWord = 6;           // bits
+constexpr std::chrono::seconds StateTime{60};  // at least, to find out which states there are
 
 using Raw = std::uint64_t;
 
@@ -46,8 +46,9 @@ MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& 
   circuits_ = mutant_circuits(proof, mutants);
   read_map(circuits_->miter_map);
   const AndCircuit unit = circuits_->step.with(0);
-  states_ =
-      StateValues(unit, circuits_->words, std::chrono::seconds(StateSeconds), circuits_->claims);
+  const auto time = std::max<std::chrono::milliseconds>(StateTime, proof.limit);
+  states_ = StateValues(unit, circuits_->words,
+                        std::chrono::duration_cast<std::chrono::seconds>(time), circuits_->claims);
 }
 
 // The text of a netlist tells yosys's version.

@@ -16,7 +16,7 @@ namespace racebeam {
 namespace {
 
 constexpr std::size_t SmallWord = 6;  // bits; of wider ones each bit is looked at alone
-constexpr int Seconds = 10;           // for one question
+constexpr int Parts = 6;              // of the time, for one question
 
 using Lanes = std::uint64_t;
 using Clock = std::chrono::steady_clock;
@@ -37,7 +37,8 @@ std::vector<Literal> next_in(const AndCircuit& step, std::size_t registers) {
 }  // namespace
 
 StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWord>& words,
-                         std::chrono::seconds limit, AndCircuit claims) {
+                         std::chrono::seconds limit, AndCircuit claims)
+    : for_one_(std::max(limit / Parts, std::chrono::seconds(1))) {
   for (const RegisterWord& word : words) {
     if (word.size() <= SmallWord) groups_.push_back({word, {0}});
     else
@@ -99,7 +100,7 @@ bool StateValues::close(const AndCircuit& circuit, Clock::time_point end) {
     const std::vector<Literal> next = next_in(question, circuit.next.size());
     const Literal before = hold(question, state_inputs(question, circuit.next.size()));
     question.outputs = {question.all(before, hold(question, next) ^ 1)};
-    const auto [zero, inputs] = always_zero(question, std::chrono::seconds(Seconds));
+    const auto [zero, inputs] = always_zero(question, for_one_);
     if (zero) return true;
     if (inputs.empty() || Clock::now() > end) return false;
     CircuitLanes lanes(circuit);
@@ -124,7 +125,7 @@ void StateValues::keep_proved(const AndCircuit& circuit, Clock::time_point end) 
     const std::vector<Literal> next = next_in(question, circuit.next.size());
     const Literal before = hold(question, state_inputs(question, circuit.next.size()));
     question.outputs = {question.all(before, question.copy(claims_, next)[n])};
-    if (Clock::now() < end && always_zero(question, std::chrono::seconds(Seconds)).zero) {
+    if (Clock::now() < end && always_zero(question, for_one_).zero) {
       ++n;
     } else {
       wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(n));
@@ -145,7 +146,7 @@ void StateValues::add_claimed(const std::vector<Group>& groups, Clock::time_poin
     const Literal claimed = hold(question, state);
     groups_.push_back(group);
     question.outputs = {question.all(claimed, hold(question, state) ^ 1)};
-    if (!always_zero(question, std::chrono::seconds(Seconds)).zero) groups_.pop_back();
+    if (!always_zero(question, for_one_).zero) groups_.pop_back();
   }
 }
 

@@ -59,7 +59,8 @@ class StateValues {
   void add_claimed(const std::vector<Group>& groups, std::chrono::steady_clock::time_point end);
   Literal claimed(AndCircuit& circuit, const std::vector<Literal>& state) const;
 
-  std::vector<Group> groups_;  // of which some value is not possible
+  std::chrono::seconds for_one_{};  // question
+  std::vector<Group> groups_;       // of which some value is not possible
   AndCircuit claims_;
   std::vector<std::vector<std::uint64_t>> seen_;
 };

@@ -92,13 +92,16 @@ void RayWalk::drive(const std::string& port, std::int64_t value) {
   pin.drive(raw_bits(static_cast<std::uint64_t>(value), pin.bits));
 }
 
-// In the world, at its border or beyond it, or anywhere; at a border of a unit, beside it, or not.
+// In the world, at its border or beyond it, at the ends of numbers, or anywhere; at a border of a
+// unit, beside it, or not.
 std::int64_t RayWalk::coordinate() {
   if (one_in(12)) return random_();
+  const std::int64_t end = std::int64_t{1} << (VoxelPositionBits - VoxelPositionFraction - 1);
   const std::int64_t places[] = {
-      below(64), below(64), below(8), 32, 31, -1 - below(64), std::int64_t{1} << below(15)};
+      below(64), below(64), below(8), 32, 31, -1 - below(64), std::int64_t{1} << below(15),
+      -end,      end - 1};
   const std::int64_t beside[] = {0, 0, 1, -1, below(1 << VoxelPositionFraction)};
-  return places[below(7)] * (1 << VoxelPositionFraction) + beside[below(5)];
+  return places[below(9)] * (1 << VoxelPositionFraction) + beside[below(5)];
 }
 
 // Parallel to an axis, or almost, or but for one bit; or long enough for an inverse.
