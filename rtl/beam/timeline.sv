@@ -136,6 +136,13 @@ module timeline #(
       waited_q <= waited_d;
     end
     assign values[t*AngleBits +: AngleBits] = value_q;
+
+`ifndef SYNTHESIS
+    if (ShotFile != "") begin : g_asserted
+      always_ff @(posedge clk_i)
+        if (rst_ni) wait_ends : assert (waited_q < row[Turn + Every +: WaitedBits]);
+    end
+`endif
   end
 
   logic [AngleBits-1:0] value, per_line, y9, angle;
@@ -182,6 +189,17 @@ module timeline #(
   assign velocity_y_o = row[VelocityY +: racebeam_pkg::VelocityPortBits];
   assign velocity_z_o = row[VelocityZ +: racebeam_pkg::VelocityPortBits];
   assign nav_reset_o = row[Flags] && frame_q == row[Frame +: FrameBits];
+
+`ifndef SYNTHESIS
+  if (ShotFile != "") begin : g_asserted
+    always_ff @(posedge clk_i)
+      if (rst_ni) begin
+        shot_is_there : assert (shot_q < ShotBits'(Shots));
+        frame_has_begun : assert (frame_q >= row[Frame +: FrameBits]);
+        frame_has_not_ended : assert (frame_q <= next_row[Frame +: FrameBits]);
+      end
+  end
+`endif
 endmodule
 
 `default_nettype wire
