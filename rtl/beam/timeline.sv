@@ -140,7 +140,7 @@ module timeline #(
 `ifndef SYNTHESIS
     if (ShotFile != "") begin : g_asserted
       always_ff @(posedge clk_i)
-        if (rst_ni) wait_ends : assert (waited_q < row[Turn + Every +: WaitedBits]);
+        if (rst_ni) assert (waited_q < row[Turn + Every +: WaitedBits]);
     end
 `endif
   end
@@ -196,7 +196,8 @@ module timeline #(
       if (rst_ni) begin
         shot_is_there : assert (shot_q < ShotBits'(Shots));
         frame_has_begun : assert (frame_q >= row[Frame +: FrameBits]);
-        frame_has_not_ended : assert (frame_q <= next_row[Frame +: FrameBits]);
+        frame_has_not_ended :
+          assert (over || frame_q < next_row[Frame +: FrameBits]);
       end
   end
 `endif

@@ -97,16 +97,22 @@ module root_unit #(
   assign done_o = done_q;
 
 `ifndef SYNTHESIS
-  // Digits that are taken; the first are zeros.
-  wire logic [7:0] taken = 8'(RootBitsPerClock) * (8'(step_q) - 8'd2);
-  wire logic [7:0] zeros = taken < 8'(Zeros) ? 8'(Zeros) - taken : '0;
-  wire logic [7:0] digits = taken < 8'(Zeros) ? '0 : taken - 8'(Zeros);
+  // Digits are zeros first, then those of what is found.
+  function automatic logic [7:0] taken(input logic [4:0] step);
+    taken = 8'(RootBitsPerClock) * (8'(step) - 8'd2);
+  endfunction
+  function automatic logic [7:0] zeros(input logic [4:0] step);
+    zeros = taken(step) < 8'(Zeros) ? 8'(Zeros) - taken(step) : '0;
+  endfunction
+  function automatic logic [7:0] digits(input logic [4:0] step);
+    digits = taken(step) < 8'(Zeros) ? '0 : taken(step) - 8'(Zeros);
+  endfunction
 
   always_ff @(posedge clk_i)
     if (rst_ni && step_q > 5'd1) begin
       it_ends : assert (step_q <= LastStep);
-      zeros_are_first : assert (rest_q >> (8'(RestBits) - (zeros << 1)) == '0);
-      found_is_short : assert (found_q >> digits == '0);
+      zeros_are_first : assert (rest_q >> (8'(RestBits) - (zeros(step_q) << 1)) == '0);
+      found_is_short : assert (found_q >> digits(step_q) == '0);
       remainder_is_small : assert (remainder_q <= {found_q, 1'b0});
     end
 `endif
