@@ -131,10 +131,13 @@ module divider_unit #(
   assign done_o = done_q;
 
 `ifndef SYNTHESIS
-  // It has no more bits than were taken, and is less than the denominator; nobody reads its highest.
-  function automatic logic is_small(input logic [Bits-2:0] remainder);
-    is_small = (remainder >> (32'(step_q) * StepBits)) == '0 &&
-               (denominator_q == '0 || {1'b0, remainder} < denominator_q);
+  // What comes of the bits that were taken has no more bits; the first ones are always 0.
+  function automatic logic is_of_taken(input number value);
+    is_of_taken = (value >> (32'(step_q) * StepBits - (RestBits - sphere_pkg::NumeratorBits))) == '0;
+  endfunction
+
+  function automatic logic is_small(input logic [Bits-2:0] remainder);  // nobody reads its highest
+    is_small = denominator_q == '0 || {1'b0, remainder} < denominator_q;
   endfunction
 
   always_ff @(posedge clk_i)
@@ -143,8 +146,14 @@ module divider_unit #(
   always_ff @(posedge clk_i)
     if (rst_ni && step_q != '0) begin
       denominator_is_a_magnitude : assert (!denominator_q[Bits-1] || denominator_q[Bits-2:0] == '0);
+      remainder_x_is_of_taken : assert (is_of_taken({1'b0, remainder_x_q[Bits-2:0]}));
+      found_x_is_of_taken : assert (denominator_q == '0 || is_of_taken(found_x_q));
       remainder_x_is_small : assert (is_small(remainder_x_q[Bits-2:0]));
+      remainder_y_is_of_taken : assert (is_of_taken({1'b0, remainder_y_q[Bits-2:0]}));
+      found_y_is_of_taken : assert (denominator_q == '0 || is_of_taken(found_y_q));
       remainder_y_is_small : assert (is_small(remainder_y_q[Bits-2:0]));
+      remainder_z_is_of_taken : assert (is_of_taken({1'b0, remainder_z_q[Bits-2:0]}));
+      found_z_is_of_taken : assert (denominator_q == '0 || is_of_taken(found_z_q));
       remainder_z_is_small : assert (is_small(remainder_z_q[Bits-2:0]));
     end
 `endif

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <numeric>
+#include <sstream>
 
 #include "sc/beam/engine.h"
 #include "sc/swap/rtl_library.h"
@@ -25,11 +26,21 @@ namespace racebeam {
 
 namespace {
 
+/// A setting; of a table, whose file lies in a cache, what is in it.
+std::string without_place(const std::string& setting) {
+  const std::size_t begin = setting.find('"'), end = setting.rfind('"');
+  if (begin == end || !std::filesystem::is_regular_file(setting.substr(begin + 1, end - begin - 1)))
+    return setting;
+  return setting.substr(0, begin) + whole_file(setting.substr(begin + 1, end - begin - 1));
+}
+
 /// Of its sources, if they are all there, and what it was built with; else of the plug-in.
 std::string rtl_hash(const std::string& plugin) {
   if (plugin == ModelPlayer) return plugin;
   const rtl_library library(plugin);
-  std::string text = library.model().parameters;
+  std::string text;
+  std::istringstream settings(library.model().parameters);
+  for (std::string setting; settings >> setting;) text += without_place(setting) + " ";
   for (const std::string& remark : remarks_of(library.model(), "file")) {
     const std::string file = remark.substr(0, remark.rfind(':'));
     if (!std::filesystem::is_regular_file(file)) return content_hash(whole_file(plugin));

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "tb/signoff/always_zero.h"
+#include "tb/signoff/side_by_side.h"
 
 namespace racebeam {
 
 namespace {
 
 constexpr int Quiet = 32;  // runs in which nothing new comes
+constexpr int Shares = 4;  // of the time, for a question at once
 
 using Clock = std::chrono::steady_clock;
 
@@ -39,7 +41,11 @@ bool EqualSteps::hold(Clock::time_point end) {
     for (const auto& [value, where] : reached_.by_value()) {
       const auto left = std::chrono::duration_cast<std::chrono::seconds>(end - Clock::now());
       if (differ_ || left.count() < 1) return false;
-      const ZeroAnswer answer = always_zero(question(value), left);
+      ZeroAnswer answer = always_zero(question(value, Clock::now()), left / Shares);
+      if (!answer.zero && answer.inputs.empty()) {
+        const auto now = Clock::now();
+        answer = always_zero(question(value, now + (end - now) / 2), left / Shares);
+      }
       if (answer.zero) continue;
       if (answer.inputs.empty()) return false;
       run_around(answer.inputs, value);
@@ -177,7 +183,7 @@ void EqualSteps::run_around(const std::vector<bool>& values, unsigned value) {
 /// Of states where the unit's word has that value. Inputs: those of the unit, its registers, and
 /// values for registers of the mutant that are free. The output is 1 if a clock leads out of what
 /// is known.
-AndCircuit EqualSteps::question(unsigned value) const {
+AndCircuit EqualSteps::question(unsigned value, Clock::time_point swept_until) const {
   const RegisterWord& word = reached_.word();
   AndCircuit circuit;
   const std::size_t registers = unit_.next.size();
@@ -199,13 +205,12 @@ AndCircuit EqualSteps::question(unsigned value) const {
   const Literal is_possible = possible_.hold(circuit, state);
   for (std::size_t n = 0; n < registers; ++n)
     if (!reached_.in_word(n)) state[n] = circuit.all(is_possible, state[n]);
-  const auto step = [&](const AndCircuit& of, const std::vector<Literal>& from) {
-    std::vector<Literal> values = inputs;
-    values.insert(values.end(), from.begin(), from.end());
-    return circuit.copy(without_registers(of), values);
-  };
-  std::vector<Literal> unit = step(unit_, state);
-  const std::vector<Literal> mutant = step(mutant_, reached_.beside(bits, state, any));
+  std::vector<Literal> from = inputs, beside = inputs;
+  const std::vector<Literal> other_state = reached_.beside(bits, state, any);
+  from.insert(from.end(), state.begin(), state.end());
+  beside.insert(beside.end(), other_state.begin(), other_state.end());
+  const auto [unit, mutant] = copy_side_by_side(
+      circuit, without_registers(unit_), without_registers(mutant_), from, beside, swept_until);
   Literal is_other = False;
   for (const unsigned other : others)
     is_other = circuit.any(is_other, reached_.is(bits, any, other));

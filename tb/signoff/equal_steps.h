@@ -40,7 +40,7 @@ class EqualSteps {
   void run_a_while(std::chrono::steady_clock::time_point end);
   void run_around(const std::vector<bool>& values, unsigned value);
   void grow(Lanes which);
-  AndCircuit question(unsigned value) const;
+  AndCircuit question(unsigned value, std::chrono::steady_clock::time_point swept_until) const;
 
   const AndCircuit& unit_;
   const AndCircuit& mutant_;

@@ -28,7 +28,7 @@ constexpr const char* Miter = "racebeam_miter";
 constexpr const char* Step = "racebeam_step";
 constexpr const char* Unit = "racebeam_unit";
 constexpr const char* Lowering =
-    "flatten\nmemory\nopt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
+    "flatten\nmemory -nordff\nopt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
     "setundef -undriven -init -zero\naigmap\nopt_clean\n";
 
 using Raw = std::uint64_t;

@@ -31,7 +31,8 @@ std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircu
 
 /// What the assertions of `like` say of the registers of `circuit`, by the same guess: a circuit
 /// whose inputs are those registers, with an output that is 1 where an assertion fails out of reset
-/// while all other inputs are 0. Without outputs if a register is not found.
+/// while all other inputs are 0, and registers that are not found, as no output needs them. It has
+/// to be proved of `circuit`, whatever it says.
 AndCircuit claims_as_in(const NamedCircuit& like, const NamedCircuit& circuit);
 
 }  // namespace racebeam

@@ -106,6 +106,7 @@ bool StateValues::close(const AndCircuit& circuit, Clock::time_point end) {
     CircuitLanes lanes(circuit);
     for (std::size_t n = 0; n < inputs.size(); ++n)
       (n < circuit.inputs ? lanes.input(n) : lanes.register_at(n - circuit.inputs)) = inputs[n];
+    for (const auto& [at, value] : constants()) lanes.register_at(at) = value ? ~Lanes{0} : 0;
     lanes.settle();
     take(circuit, lanes, 1);
     forget_free();

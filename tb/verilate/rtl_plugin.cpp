@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -128,10 +129,19 @@ std::string facts(const RtlSources& sources, const RtlSyntax& syntax,
   return text;
 }
 
-std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& made_with,
+/// Settings that the RTL's syntax does not tell: texts, such as the name of a table's file, and
+/// what gates were made with.
+std::vector<std::string> settings_beside(const RtlSources& sources) {
+  std::vector<std::string> settings = sources.made_with;
+  std::copy_if(sources.parameters.begin(), sources.parameters.end(), std::back_inserter(settings),
+               [](const std::string& one) { return one.find('"') != std::string::npos; });
+  return settings;
+}
+
+std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& settings,
                   const std::vector<std::string>& circular, const std::set<std::string>& quiet) {
   std::string parameters;
-  for (const std::string& setting : made_with) parameters += setting + " ";
+  for (const std::string& setting : settings) parameters += setting + " ";
   for (const RtlSyntax::Parameter& parameter : syntax.parameters)
     if (!parameter.value.empty()) parameters += parameter.name + "=" + parameter.value + " ";
   return "extern const char* const rtl_unit = " + c_string(syntax.top.name) +
@@ -200,8 +210,8 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
-  compile_plugin(work, known, texts(syntax, whole.made_with, circular, quiet), sources.coverage,
-                 line.tick(), out);
+  compile_plugin(work, known, texts(syntax, settings_beside(whole), circular, quiet),
+                 sources.coverage, line.tick(), out);
 }
 
 }  // namespace
@@ -214,7 +224,8 @@ std::string rtl_plugin(const RtlSources& sources) {
                                       : sources.marked_only ? "marked signals"
                                                             : "signals",
                                       sources.coverage ? coverage_key() : "", compile_key()};
-    parts.insert(parts.end(), sources.made_with.begin(), sources.made_with.end());
+    const std::vector<std::string> beside = settings_beside(sources);
+    parts.insert(parts.end(), beside.begin(), beside.end());
     parts.insert(parts.end(), sources.doors.begin(), sources.doors.end());
     const std::string key = content_key(parts);
     try {

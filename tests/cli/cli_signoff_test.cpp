@@ -164,6 +164,27 @@ TEST_F(CliSignoffTest, WrongWaiversTurnItRed) {
   expect_refused(words("stacks", {"--waivers", "waivers.toml"}), "waivers.toml:4");
 }
 
+// In four states a table whose file is not read would be unknown.
+TEST_F(CliSignoffTest, UnitsWithATableAreSignedOff) {
+  Program run(folder.path(),
+              {"signoff", "timeline", "scene_rom", "--scene",
+               RACEBEAM_SOURCE_DIR "/tests/signoff/tables.toml", "--only", "coverage", "--only",
+               "comparator", "--only", "reset", "--only", "lint"});
+  EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
+}
+
+// In the copy the lines, and so the names of mutants, are others than those that are waived.
+TEST_F(CliSignoffTest, TheProjectsWaiversAreNotHeldAgainstYourRtl) {
+  const std::string unit = "sphere_host_link";
+  ASSERT_THAT(read_file(RACEBEAM_SOURCE_DIR "/tb/signoff/waivers.toml"),
+              HasSubstr("\nunit = \"" + unit + "\""));
+  std::ofstream(folder / "mine.sv") << "// mine\n" << read_file(rtl_file(unit));
+  Program run(folder.path(), {"signoff", unit + "=mine.sv", "--engine", "sphere", "--only",
+                              "mutants", "--mutants", "1", "--random", "1000"});
+  EXPECT_THAT(run.wait(), testing::AnyOf(0, 1)) << run.err();
+  EXPECT_THAT(run.out(), Not(HasSubstr("waivers.toml")));
+}
+
 TEST_F(CliSignoffTest, ARunThatWasKilledGoesOnBehindItsLastMutant) {
   const Json whole = detail({"--random", "5000"}, 0);
   const std::string file = folder / "racebeam_signoff/stacks.mutants";

@@ -70,10 +70,10 @@ TEST(NamedCircuitTest, RegistersOfOneNameAreTheSame) {
   EXPECT_EQ(words_as_in(like, other), (std::vector<RegisterWord>{{1}, {0}}));
 }
 
-TEST(NamedCircuitTest, WithoutARegisterThereIsNoClaim) {
+TEST(NamedCircuitTest, ARegisterThatIsNotFoundIsZeroInAClaim) {
   NamedCircuit other = exchanged();
-  other.circuit.next[0] = True;
-  EXPECT_TRUE(claims_as_in(pipeline(), other).outputs.empty());
+  other.circuit.next[0] = True;  // where the second one was
+  EXPECT_EQ(claims_as_in(pipeline(), other).outputs, std::vector<Literal>{False});
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+// A circuit and a mutant of it, copied side by side into a third one, with one gate where they have
+// the same. yosys-abc may be asked gate by gate whether two that seem to differ are the same:
+// behind a multiplier it does not find that a difference has ended before it.
+//
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "tb/signoff/aiger.h"
+
+namespace racebeam {
+
+/// Outputs of the two.
+struct SideBySide {
+  std::vector<Literal> unit, mutant;
+};
+
+/// Of two circuits without registers, for those values of their inputs. Gates are compared with
+/// those of the same number, if there are as many. Until `end` yosys-abc is asked of gates that
+/// have been equal in samples. Throws MissingTool, Interrupted.
+SideBySide copy_side_by_side(AndCircuit& into, const AndCircuit& unit, const AndCircuit& mutant,
+                             const std::vector<Literal>& unit_values,
+                             const std::vector<Literal>& mutant_values,
+                             std::chrono::steady_clock::time_point end);
+
+}  // namespace racebeam
