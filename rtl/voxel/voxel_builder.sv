@@ -168,7 +168,7 @@ module voxel_builder #(
     phase_d = idle || compares || over ? '0 : phase_q + 1'b1;
     if (takes) begin
       state_d = voxel_pkg::VoxelBuilderClear;
-      {known_d, puts_d, level_d, z_d, child_d, columns_d} = '0;
+      {known_d, puts_d, level_d, z_d, child_d, found_d, columns_d} = '0;
       puts_d = 1'b1;
       x_low_d = rect_x_low_i >> BitsX;
       y_low_d = rect_y_low_i >> BitsY;
@@ -236,6 +236,7 @@ module voxel_builder #(
       x_is_in_the_rectangle : assert (x_begin <= x_q && x_q < x_end);
       y_is_in_the_rectangle : assert (y_q < y_end);
       z_is_in_the_world : assert (z_q <= z_top);
+      no_column_is_there_yet : assert (state_q != voxel_pkg::VoxelBuilderClear || columns_q == '0);
       columns_are_those_before : assert (!fills || 32'(columns_q) <= 32'(y_q) * SizeX + 32'(x_q));
     end
   always_ff @(posedge clk_i)

@@ -91,7 +91,7 @@ void voxel_builder_core::go_on() {
 void voxel_builder_core::clock(const inputs& in, const voxel_knobs& k) {
   if (takes(in)) {
     begin(VoxelBuilderClear, 0, voxel_aligned(in.rectangle, levels, 0));
-    known_q = false;
+    known_q = found_q = false;
     puts_q = true;
     phase_q = z_q = child_q = 0;
     columns_q = 0;

@@ -20,6 +20,7 @@
 #include "tb/program/signoff_asked.h"
 #include "tb/scene/engines.h"
 #include "tb/show/run.h"
+#include "tb/show/set_knob.h"
 #include "tb/signoff/signoff_report.h"
 #include "tb/signoff/signoff_unit.h"
 #include "tb/verilate/run_tool.h"
@@ -79,6 +80,13 @@ CheckResult run_check(const SignoffCheck& check, const SignoffUnit& unit,
   return result;
 }
 
+/// Those of a file that was named hold for any RTL; the project's own for its RTL, in the standard
+/// chip: in another one other mutants are undecided.
+std::vector<Waiver> waivers_of(const AskedUnit& one, const Options& options, const Run& run) {
+  const bool own_rtl = one.file.empty() && knobs_text(run.k) == "default";
+  return own_rtl || !options.waivers.empty() ? options.signoff.waivers : std::vector<Waiver>{};
+}
+
 SignoffReport sign_off(const Options& options, const Run& run,
                        const std::vector<AskedUnit>& asked) {
   SignoffReport report{options.scene, run.show.engine().name, options.command, {}, true};
@@ -89,6 +97,7 @@ SignoffReport sign_off(const Options& options, const Run& run,
   try {
     for (const AskedUnit& one : asked) {
       std::optional<SignoffUnit> unit;
+      signoff.waivers = waivers_of(one, options, run);
       for (const SignoffCheck* check : one.checks) {
         if (interrupted()) throw Interrupted();
         signoff.progress = [&](const std::string& note) {

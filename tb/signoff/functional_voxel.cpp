@@ -46,6 +46,7 @@ std::vector<FunctionalCross> voxel_crosses() {
         flag("found", "found_q")},
        {{{"clear", "no", "*", "*"}, "it only puts"},
         {{"clear|fill", "*", "no", "*"}, "these are of the finest level"},
+        {{"clear|fill", "*", "*", "yes"}, "no child was looked at"},
         {{"up", "*", "yes", "*"}, "what is above has children"}}},
       {"voxel_scan",
        "picture",
