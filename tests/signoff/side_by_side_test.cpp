@@ -59,8 +59,8 @@ TEST(SideBySideTest, WhatIsTheSameInSamplesOnlyIsNotTaken) {
   AndCircuit mutant = unit;
   mutant.gates.back()[1] = True;
   unit.outputs = mutant.outputs = {unit.register_at(Inputs - 2)};
-  const SideBySide both = copy_side_by_side(into, unit, mutant, values, values,
-                                            Clock::now() + std::chrono::minutes(1));
+  const SideBySide both =
+      copy_side_by_side(into, unit, mutant, values, values, Clock::now() + std::chrono::minutes(1));
   EXPECT_NE(both.unit, both.mutant);
 }
 
