@@ -116,14 +116,33 @@ MutantProof MutantProofs::prove(int number) const {
   return proof;
 }
 
+/// The small words of a circuit; those that most gates read, such as a state, come first.
+std::vector<RegisterWord> small_words(const AndCircuit& circuit,
+                                      const std::vector<RegisterWord>& words) {
+  std::vector<std::size_t> readers(circuit.register_at(circuit.next.size()) / 2);
+  for (const auto& gate : circuit.gates)
+    for (const Literal read : gate)
+      if (read / 2 < readers.size()) ++readers[read / 2];
+  const auto most = [&](const RegisterWord& word) {
+    std::size_t most = 0;
+    for (const std::size_t bit : word) most = std::max(most, readers[circuit.register_at(bit) / 2]);
+    return most;
+  };
+  std::vector<RegisterWord> small;
+  for (const RegisterWord& word : words)
+    if (word.size() <= SmallWord) small.push_back(word);
+  std::stable_sort(small.begin(), small.end(),
+                   [&](const RegisterWord& a, const RegisterWord& b) { return most(a) > most(b); });
+  return small;
+}
+
 /// Told by no word first, then by one after the other, then by two. Takes a third of the time.
 bool MutantProofs::has_equal_steps(int number) const {
   if (!circuits_) return false;
   const auto end = std::chrono::steady_clock::now() + proof_.limit / 3;
   const AndCircuit unit = circuits_->step.with(0), mutant = circuits_->step.with(number);
-  std::vector<RegisterWord> words{{}};
-  for (const RegisterWord& word : circuits_->words)
-    if (word.size() <= SmallWord) words.push_back(word);
+  std::vector<RegisterWord> words = small_words(unit, circuits_->words);
+  words.insert(words.begin(), RegisterWord{});
   const std::size_t single = words.size();
   for (std::size_t n = 1; n < single; ++n)
     for (std::size_t other = 1; other < single; ++other) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 
 #include "tb/base/reset_value.h"
@@ -127,13 +128,15 @@ std::vector<RegisterWord> words_as_in(const NamedCircuit& like, const NamedCircu
   const std::vector<std::size_t> same = same_registers(like, circuit);
   std::vector<bool> named(circuit.circuit.next.size());
   std::vector<RegisterWord> found;
+  std::set<RegisterWord> known;  // a word may have several names
   for (const RegisterWord& word : like.words) {
-    found.emplace_back();
+    RegisterWord there;
     for (const std::size_t bit : word) {
       if (same[bit] == None) continue;
-      found.back().push_back(same[bit]);
+      there.push_back(same[bit]);
       named[same[bit]] = true;
     }
+    if (known.insert(there).second) found.push_back(there);
   }
   for (std::size_t n = 0; n < named.size(); ++n)
     if (!named[n]) found.push_back({n});

@@ -36,7 +36,7 @@ class TuneWalk {
 
  private:
   void next_step(int step);
-  void next_moment();
+  void next_moment(int moment);
   int moment_x2(int clock) const;
   void drive_x2(int x2);
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
