@@ -15,7 +15,8 @@ namespace racebeam {
 
 namespace {
 
-constexpr int Episode = 150;  // clocks at most
+constexpr int Episode = 150;      // clocks at most
+constexpr int DistanceUnit = 16;  // of a root that is the distance of the light
 
 bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
   return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
@@ -41,17 +42,25 @@ void TracerWalk::next() {
   if (mirrors_) return bench_["is_light_i"].drive(0);
   for (UnitBench::Pin* pin : numbers_)
     if (!one_in(3)) pin->drive(number(pin->bits));
+  if (one_in(2)) bench_["root_i"].drive(value_ / DistanceUnit);
   if (reach_ > 0) drive_limits();
 }
 
-// Planes are met before or behind their limits, whatever these are.
+// Planes are met before or behind their limits, or right there, whatever these are. Of the eye in
+// the origin that is so in whole numbers.
 void TracerWalk::drive_limits() {
+  const bool whole = one_in(2);
   bench_["limited_i"].drive(1);
   for (const char axis : {'x', 'y', 'z'}) {
-    bench_[std::string("limit_") + axis + "_i"].drive(random_() % static_cast<unsigned>(reach_));
-    const std::uint64_t way = random_() % (static_cast<unsigned>(reach_) << SphereFraction);
-    bench_[std::string("product_") + axis + "_i"].drive(
-        raw_bits(one_in(2) ? way : -way, SphereBits));
+    const auto pin = [&](const char* name) -> UnitBench::Pin& {
+      return bench_[std::string(name) + axis + "_i"];
+    };
+    const std::uint64_t limit = random_() % static_cast<unsigned>(reach_);
+    pin("limit_").drive(limit);
+    const std::uint64_t most = std::uint64_t(one_in(2) ? limit + 1 : reach_) << SphereFraction;
+    const std::uint64_t way = whole && one_in(2) ? limit << SphereFraction : random_() % most;
+    pin("product_").drive(raw_bits(one_in(2) ? way : -way, SphereBits));
+    if (whole) pin("origin_").drive(0);
   }
   bench_["quotient_x_i"].drive(random_() % (1u << (SphereBits - 1)));
 }
@@ -92,13 +101,13 @@ void TracerWalk::begin_episode() {
     bench_["planes_i"].drive(1);
     bench_["plane_empty_i"].drive(0);
     bench_["sphere_last_i"].drive(0);
-    if (one_in(4)) reach_ = 2 << random_() % UnitBits;
+    if (one_in(2)) reach_ = 2 << random_() % UnitBits;
   }
   const std::uint64_t any = random_() & low_bits(SphereBits);
   const std::uint64_t numbers[] = {std::uint64_t{1 + random_() % 8} << SphereFraction, NearestPlane,
                                    static_cast<std::uint64_t>(min_weight_), any,
                                    any >> random_() % SphereBits};
-  value_ = numbers[one_in(2) ? 0 : random_() % std::size(numbers)];
+  value_ = numbers[one_in(4) ? 0 : random_() % std::size(numbers)];
 }
 
 // All rays meet a sphere without a size, which is a mirror, so that there are three reflections.
