@@ -188,9 +188,10 @@ void add_options(const CommandOptions& command, Options& options) {
   add_number(command, "--seed", signoff.seed, "Of the random traffic",
              is_number_in("--seed", 0, LargestSeed))
       .capture_default_str();
-  add_number(command, "--prove", signoff.proof_seconds,
-             "Seconds for the proof of each mutant that is not found; 0: none",
-             is_number_in("--prove", 0, MostProofSeconds))
+  add_number(
+      command, "--prove", signoff.proof_seconds,
+      "Seconds of a processor's work for the proof of each mutant that is not found; 0: none",
+      is_number_in("--prove", 0, MostProofSeconds))
       .capture_default_str();
   add_number(command, "--within", signoff.within,
              "Clocks; a mutant that random traffic finds later is not found, and gets a stream of "

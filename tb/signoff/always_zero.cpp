@@ -33,12 +33,13 @@ ZeroAnswer always_zero(const AndCircuit& circuit, std::chrono::seconds limit) {
   const WorkFolder work;
   work.write("circuit.aig", aiger_of(circuit));
   ZeroAnswer answer;
-  run_tools({{{"yosys-abc", "-q", Commands}, work.path(), {}, {}}}, 1,
-            limit + std::chrono::seconds(1), [&](std::size_t, const ToolResult& end) {
-              answer.zero = end.said.find("UNSATISFIABLE") != std::string::npos;
-              if (!answer.zero && end.said.find("SATISFIABLE") != std::string::npos)
-                answer.inputs = bits_of(whole_file(work.file("inputs")));
-            });
+  const std::string said =
+      run_tool(
+          {{"yosys-abc", "-q", Commands}, work.path(), {}, {}, limit + std::chrono::seconds(1)})
+          .said;
+  answer.zero = said.find("UNSATISFIABLE") != std::string::npos;
+  if (!answer.zero && said.find("SATISFIABLE") != std::string::npos)
+    answer.inputs = bits_of(whole_file(work.file("inputs")));
   if (answer.inputs.size() != circuit.inputs) answer.inputs.clear();
   return answer;
 }

@@ -15,8 +15,6 @@ namespace {
 constexpr int Quiet = 32;  // runs in which nothing new comes
 constexpr int Shares = 4;  // of the time, for a question at once
 
-using Clock = std::chrono::steady_clock;
-
 /// Bits that are 1 in all of some values, and in any.
 std::pair<unsigned, unsigned> bits_of(const std::set<unsigned>& values) {
   unsigned all = ~0u, any = 0;
@@ -35,15 +33,15 @@ EqualSteps::EqualSteps(const AndCircuit& unit, const AndCircuit& mutant,
       unit_lanes_(unit_),
       mutant_lanes_(mutant_) {}
 
-bool EqualSteps::hold(Clock::time_point end) {
+bool EqualSteps::hold(WorkClock::time_point end) {
   do {
     run_a_while(end);
     for (const auto& [value, where] : reached_.by_value()) {
-      const auto left = std::chrono::duration_cast<std::chrono::seconds>(end - Clock::now());
+      const auto left = std::chrono::duration_cast<std::chrono::seconds>(end - WorkClock::now());
       if (differ_ || left.count() < 1) return false;
-      ZeroAnswer answer = always_zero(question(value, Clock::now()), left / Shares);
+      ZeroAnswer answer = always_zero(question(value, WorkClock::now()), left / Shares);
       if (!answer.zero && answer.inputs.empty()) {
-        const auto now = Clock::now();
+        const auto now = WorkClock::now();
         answer = always_zero(question(value, now + (end - now) / 2), left / Shares);
       }
       if (answer.zero) continue;
@@ -143,8 +141,8 @@ void EqualSteps::grow(Lanes which) {
   }
 }
 
-void EqualSteps::run_a_while(Clock::time_point end) {
-  for (int quiet = 0; quiet < Quiet && !differ_ && Clock::now() < end; ++quiet) {
+void EqualSteps::run_a_while(WorkClock::time_point end) {
+  for (int quiet = 0; quiet < Quiet && !differ_ && WorkClock::now() < end; ++quiet) {
     grew_ = false;
     std::vector<Lanes> state = random_lanes(unit_.next.size()), any = random_lanes(state.size());
     Lanes which = LaneBits::Yes;
@@ -183,7 +181,7 @@ void EqualSteps::run_around(const std::vector<bool>& values, unsigned value) {
 /// Of states where the unit's word has that value. Inputs: those of the unit, its registers, and
 /// values for registers of the mutant that are free. The output is 1 if a clock leads out of what
 /// is known.
-AndCircuit EqualSteps::question(unsigned value, Clock::time_point swept_until) const {
+AndCircuit EqualSteps::question(unsigned value, WorkClock::time_point swept_until) const {
   const RegisterWord& word = reached_.word();
   AndCircuit circuit;
   const std::size_t registers = unit_.next.size();

@@ -9,12 +9,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
 
+#include "tb/base/work_clock.h"
 #include "tb/signoff/aiger.h"
 #include "tb/signoff/reached_pairs.h"
 #include "tb/signoff/state_values.h"
@@ -28,7 +28,7 @@ class EqualSteps {
   EqualSteps(const AndCircuit& unit, const AndCircuit& mutant, const StateValues& possible,
              RegisterWord word);
   /// False: it is not so, or not known in that time. Throws MissingTool, Interrupted.
-  bool hold(std::chrono::steady_clock::time_point end);
+  bool hold(WorkClock::time_point end);
 
  private:
   using Lanes = std::uint64_t;
@@ -37,10 +37,10 @@ class EqualSteps {
   Lanes choose_seen(std::vector<Lanes>& state, std::vector<Lanes>& any);
   void run(const std::vector<Lanes>& inputs, const std::vector<Lanes>& state,
            const std::vector<Lanes>& any, Lanes which);
-  void run_a_while(std::chrono::steady_clock::time_point end);
+  void run_a_while(WorkClock::time_point end);
   void run_around(const std::vector<bool>& values, unsigned value);
   void grow(Lanes which);
-  AndCircuit question(unsigned value, std::chrono::steady_clock::time_point swept_until) const;
+  AndCircuit question(unsigned value, WorkClock::time_point swept_until) const;
 
   const AndCircuit& unit_;
   const AndCircuit& mutant_;

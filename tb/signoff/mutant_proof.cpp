@@ -13,6 +13,7 @@
 #include "tb/base/output_file.h"
 #include "tb/base/reset_value.h"
 #include "tb/base/whole_file.h"
+#include "tb/base/work_clock.h"
 #include "tb/signoff/aiger.h"
 #include "tb/signoff/equal_steps.h"
 #include "tb/verilate/cache_folder.h"
@@ -32,15 +33,27 @@ constexpr std::chrono::seconds StateTime{60};  // at least, to find out which st
 
 using Raw = std::uint64_t;
 
+/// The text of a netlist tells yosys's version.
+std::string key_of(const ProofOfMutants& proof, int number) {
+  const Mutant& mutant = proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
+  return content_key(
+             {proof.netlist.rtlil, mutant.command, miter_module(proof), circuit_commands()}) +
+         ".equal";
+}
+
 }  // namespace
 
+bool is_proved_equal(const ProofOfMutants& proof, int number) {
+  return !in_cache(key_of(proof, number)).empty();
+}
+
 MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& numbers)
-    : proof_(proof), miter_(miter_module(proof)) {
+    : proof_(proof) {
   if (!has_tool("yosys-abc"))
     throw MissingTool("yosys-abc is not installed; it comes with the package yosys");
   std::vector<Mutant> mutants;
   for (const int number : numbers)
-    if (in_cache(key_of(number)).empty())
+    if (!is_proved_equal(proof, number))
       mutants.push_back(proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1));
   if (mutants.empty() || proof.limit.count() == 0) return;
   circuits_ = mutant_circuits(proof, mutants);
@@ -49,12 +62,6 @@ MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& 
   const auto time = std::max<std::chrono::milliseconds>(StateTime, proof.limit);
   states_ = StateValues(unit, circuits_->words,
                         std::chrono::duration_cast<std::chrono::seconds>(time), circuits_->claims);
-}
-
-// The text of a netlist tells yosys's version.
-std::string MutantProofs::key_of(int number) const {
-  const Mutant& mutant = proof_.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
-  return content_key({proof_.netlist.rtlil, mutant.command, miter_, circuit_commands()}) + ".equal";
 }
 
 void MutantProofs::read_map(const std::string& text) {
@@ -103,7 +110,7 @@ MutantProofs::Inputs MutantProofs::read_counterexample(const std::string& text) 
 }
 
 MutantProof MutantProofs::prove(int number) const {
-  if (!in_cache(key_of(number)).empty()) return {MutantProof::Equal, {}, ""};
+  if (is_proved_equal(proof_, number)) return {MutantProof::Equal, {}, ""};
   MutantProof proof;
   if (has_equal_steps(number)) proof.verdict = MutantProof::Equal;
   else
@@ -112,7 +119,7 @@ MutantProof MutantProofs::prove(int number) const {
                          {SweptLong, "pdr", 0.3},
                          {Swept, "bmc3 -F 1000", 0.2}});
   if (proof.verdict == MutantProof::Equal)
-    cached(key_of(number), [&](const std::string& out) { write_text(out, "equal\n"); });
+    cached(key_of(proof_, number), [&](const std::string& out) { write_text(out, "equal\n"); });
   return proof;
 }
 
@@ -139,7 +146,7 @@ std::vector<RegisterWord> small_words(const AndCircuit& circuit,
 /// Told by no word first, then by one after the other, then by two. Takes a third of the time.
 bool MutantProofs::has_equal_steps(int number) const {
   if (!circuits_) return false;
-  const auto end = std::chrono::steady_clock::now() + proof_.limit / 3;
+  const auto end = WorkClock::now() + proof_.limit / 3;
   const AndCircuit unit = circuits_->step.with(0), mutant = circuits_->step.with(number);
   std::vector<RegisterWord> words = small_words(unit, circuits_->words);
   words.insert(words.begin(), RegisterWord{});
@@ -168,17 +175,16 @@ MutantProof MutantProofs::ask(int number, const std::vector<Question>& questions
   std::string said;
   const auto says = [&](const char* status) { return said.find(status) != std::string::npos; };
   for (const Question& question : questions) {
-    const int share = static_cast<int>(std::max(1.0, seconds() * question.share));
-    const ToolRun run{
-        {"yosys-abc", "-q",
-         fmt::format(
-             "read_aiger miter.aig; {}; {} -T {}; print_status; write_cex -a counterexample",
-             question.prepared, question.command, share)},
-        work.path(),
-        {},
-        {}};
-    run_tools({run}, 1, std::chrono::seconds(share + 1),
-              [&](std::size_t, const ToolResult& end) { said = end.said; });
+    const auto share = static_cast<int>(std::max(1.0, seconds() * question.share));
+    said = run_tool({{"yosys-abc", "-q",
+                      fmt::format("read_aiger miter.aig; {}; {}; print_status; write_cex -a "
+                                  "counterexample",
+                                  question.prepared, question.command)},
+                     work.path(),
+                     {},
+                     {},
+                     std::chrono::seconds(share + 1)})
+               .said;
     if (says("Status = 1")) return {MutantProof::Equal, {}, ""};
     if (says("Status = 0")) break;
   }

@@ -25,6 +25,9 @@ struct MutantProof {
   std::string why;  ///< it is undecided
 };
 
+/// Whether that mutant is in the cache as one that was proved equal.
+bool is_proved_equal(const ProofOfMutants& proof, int number);
+
 /// The proofs of some mutants: yosys makes circuits with all of them, and yosys-abc is asked with
 /// one chosen. What was proved equal once is in the cache.
 class MutantProofs {
@@ -50,7 +53,6 @@ class MutantProofs {
     double share;
   };
 
-  std::string key_of(int number) const;
   void read_map(const std::string& text);
   bool has_equal_steps(int number) const;
   double seconds() const;
@@ -58,7 +60,6 @@ class MutantProofs {
   MutantProof ask(int number, const std::vector<Question>& questions) const;
 
   const ProofOfMutants proof_;
-  const std::string miter_;
   std::optional<MutantCircuits> circuits_;  // if a mutant has to be proved
   StateValues states_;
   std::vector<InputBit> bits_;

@@ -30,6 +30,8 @@ class MutantSurvivors {
   MutantSurvivors(const MutantSurvivors&) = delete;
   MutantSurvivors& operator=(const MutantSurvivors&) = delete;
 
+  /// Whether it was proved equal once, whatever the stimulus was then: it need not be run.
+  bool is_known_equal(int number) const { return is_proved_equal(proof_, number); }
   /// `fates`: of each what is known. One that is found late stays so, unless a stream of its own
   /// finds it. Throws RtlError, MissingTool, Interrupted, OutputError.
   void decide(const std::vector<MutantFate>& fates,

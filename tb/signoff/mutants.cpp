@@ -74,9 +74,14 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
 
   FateFile file(fmt::format("{}/{}.mutants", options.folder, name),
                 key_of(netlist, streams, options));
+  const MutantSurvivors survivors(unit, options, netlist, plugin, work.path());
   std::vector<int> left;
-  for (const Mutant& mutant : netlist.mutants)
-    if (file.fates().count(mutant.number) == 0) left.push_back(mutant.number);
+  for (const Mutant& mutant : netlist.mutants) {
+    const int number = mutant.number;
+    if (file.fates().count(number) != 0) continue;
+    if (survivors.is_known_equal(number)) file.add({number, MutantFate::Equal, "", 0, "", ""});
+    else left.push_back(number);
+  }
   std::size_t done = file.fates().size();
   run_mutants(plugin, left, streams, options.jobs, [&](const MutantFate& fate) {
     file.add(fate);
@@ -92,7 +97,6 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
         (fate.state == MutantFate::Undecided &&
          fate.clock < static_cast<std::uint64_t>(options.proof_seconds)))
       open.push_back(fate);
-  const MutantSurvivors survivors(unit, options, netlist, plugin, work.path());
   if (!open.empty()) {
     done = 0;
     survivors.decide(open, [&](const MutantFate& fate) {

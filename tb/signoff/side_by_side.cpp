@@ -13,8 +13,6 @@ namespace racebeam {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::seconds ForOne{2};  // gate
 
 /// 64 values of each variable of a growing circuit without registers, several times.
@@ -89,7 +87,7 @@ AndCircuit difference_of(const AndCircuit& circuit, Literal a, Literal b) {
 
 SideBySide copy_side_by_side(AndCircuit& into, const AndCircuit& unit, const AndCircuit& mutant,
                              const std::vector<Literal>& unit_values,
-                             const std::vector<Literal>& mutant_values, Clock::time_point end) {
+                             const std::vector<Literal>& mutant_values, WorkClock::time_point end) {
   if (unit.gates.size() != mutant.gates.size())
     return {into.copy(unit, unit_values), into.copy(mutant, mutant_values)};
   Samples samples(into);
@@ -104,7 +102,7 @@ SideBySide copy_side_by_side(AndCircuit& into, const AndCircuit& unit, const And
     const std::array is_read{in(is, mutant.gates[n][0]), in(is, mutant.gates[n][1])};
     was.push_back(into.all(was_read[0], was_read[1]));
     Literal gate = is_read == was_read ? was.back() : into.all(is_read[0], is_read[1]);
-    if (gate != was.back() && Clock::now() < end && samples.same(gate, was.back())) {
+    if (gate != was.back() && WorkClock::now() < end && samples.same(gate, was.back())) {
       const ZeroAnswer answer = always_zero(difference_of(into, gate, was.back()), ForOne);
       if (answer.zero) gate = was.back();
       else if (!answer.inputs.empty()) samples.take(answer.inputs);

@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <vector>
 
+#include "tb/base/work_clock.h"
 #include "tb/signoff/aiger.h"
 
 namespace racebeam {
@@ -23,7 +23,6 @@ struct SideBySide {
 /// have been equal in samples. Throws MissingTool, Interrupted.
 SideBySide copy_side_by_side(AndCircuit& into, const AndCircuit& unit, const AndCircuit& mutant,
                              const std::vector<Literal>& unit_values,
-                             const std::vector<Literal>& mutant_values,
-                             std::chrono::steady_clock::time_point end);
+                             const std::vector<Literal>& mutant_values, WorkClock::time_point end);
 
 }  // namespace racebeam

@@ -19,7 +19,6 @@ constexpr std::size_t SmallWord = 6;  // bits; of wider ones each bit is looked 
 constexpr int Parts = 6;              // of the time, for one question
 
 using Lanes = std::uint64_t;
-using Clock = std::chrono::steady_clock;
 
 /// The registers of a circuit whose registers are its last inputs.
 std::vector<Literal> state_inputs(const AndCircuit& step, std::size_t registers) {
@@ -44,7 +43,7 @@ StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWo
     else
       for (const std::size_t bit : word) groups_.push_back({{bit}, {0}});
   }
-  const auto half = Clock::now() + limit / 2, end = half + limit / 2;
+  const auto half = WorkClock::now() + limit / 2, end = half + limit / 2;
   run_a_while(circuit);
   const std::vector<Group> never_left = groups_;
   if (!close(circuit, half)) {
@@ -94,7 +93,7 @@ AndCircuit StateValues::one_clock(const AndCircuit& circuit) const {
 }
 
 /// Whether it is known that no clock leads out of the values.
-bool StateValues::close(const AndCircuit& circuit, Clock::time_point end) {
+bool StateValues::close(const AndCircuit& circuit, WorkClock::time_point end) {
   while (!groups_.empty()) {
     AndCircuit question = one_clock(circuit);
     const std::vector<Literal> next = next_in(question, circuit.next.size());
@@ -102,7 +101,7 @@ bool StateValues::close(const AndCircuit& circuit, Clock::time_point end) {
     question.outputs = {question.all(before, hold(question, next) ^ 1)};
     const auto [zero, inputs] = always_zero(question, for_one_);
     if (zero) return true;
-    if (inputs.empty() || Clock::now() > end) return false;
+    if (inputs.empty() || WorkClock::now() > end) return false;
     CircuitLanes lanes(circuit);
     for (std::size_t n = 0; n < inputs.size(); ++n)
       (n < circuit.inputs ? lanes.input(n) : lanes.register_at(n - circuit.inputs)) = inputs[n];
@@ -115,7 +114,7 @@ bool StateValues::close(const AndCircuit& circuit, Clock::time_point end) {
 }
 
 /// Drops the claims that are wrong at the start, and those that some clock leads out of.
-void StateValues::keep_proved(const AndCircuit& circuit, Clock::time_point end) {
+void StateValues::keep_proved(const AndCircuit& circuit, WorkClock::time_point end) {
   auto& wrong = claims_.outputs;
   AndCircuit none;
   const auto at_start = none.copy(claims_, std::vector<Literal>(claims_.inputs, False));
@@ -126,7 +125,7 @@ void StateValues::keep_proved(const AndCircuit& circuit, Clock::time_point end) 
     const std::vector<Literal> next = next_in(question, circuit.next.size());
     const Literal before = hold(question, state_inputs(question, circuit.next.size()));
     question.outputs = {question.all(before, question.copy(claims_, next)[n])};
-    if (Clock::now() < end && always_zero(question, for_one_).zero) {
+    if (WorkClock::now() < end && always_zero(question, for_one_).zero) {
       ++n;
     } else {
       wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(n));
@@ -136,11 +135,11 @@ void StateValues::keep_proved(const AndCircuit& circuit, Clock::time_point end) 
 }
 
 /// Adds the groups that the claims imply: bits that never are 1, say, as a number is small.
-void StateValues::add_claimed(const std::vector<Group>& groups, Clock::time_point end) {
+void StateValues::add_claimed(const std::vector<Group>& groups, WorkClock::time_point end) {
   const std::vector<Group> known = groups_;
   for (const Group& group : groups) {
     const auto same = [&](const Group& one) { return one.bits == group.bits; };
-    if (std::any_of(known.begin(), known.end(), same) || Clock::now() > end) continue;
+    if (std::any_of(known.begin(), known.end(), same) || WorkClock::now() > end) continue;
     AndCircuit question;
     question.inputs = claims_.inputs;
     const std::vector<Literal> state = state_inputs(question, claims_.inputs);

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/base/work_clock.h"
 #include "tb/signoff/aiger.h"
 #include "tb/signoff/named_circuit.h"
 
@@ -54,9 +55,9 @@ class StateValues {
   void run_a_while(const AndCircuit& circuit);
   void take(const AndCircuit& circuit, const CircuitLanes& lanes, std::uint64_t which);
   void forget_free();
-  bool close(const AndCircuit& circuit, std::chrono::steady_clock::time_point end);
-  void keep_proved(const AndCircuit& circuit, std::chrono::steady_clock::time_point end);
-  void add_claimed(const std::vector<Group>& groups, std::chrono::steady_clock::time_point end);
+  bool close(const AndCircuit& circuit, WorkClock::time_point end);
+  void keep_proved(const AndCircuit& circuit, WorkClock::time_point end);
+  void add_claimed(const std::vector<Group>& groups, WorkClock::time_point end);
   Literal claimed(AndCircuit& circuit, const std::vector<Literal>& state) const;
 
   std::chrono::seconds for_one_{};  // question

@@ -31,6 +31,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t MostBytes = 1'000'000'000;
+constexpr std::uintmax_t SmallBytes = 4096;  // such as a proof: minutes of work
+constexpr std::chrono::hours SmallStays{24 * 30};
 constexpr int Locks = 64;  // each is for many files, so that their number has a bound
 
 std::string variable(const char* name) {
@@ -114,10 +116,11 @@ void remove_left() {
   }
 }
 
-/// Removes what was not used for longest, down to four fifths of what is allowed.
+/// Removes what was not used for longest, down to four fifths of what is allowed. Small files,
+/// which take little place, are not for a month longer.
 void trim() {
   struct Entry {
-    fs::file_time_type used;
+    fs::file_time_type until;
     std::uintmax_t bytes;
     fs::path path;
   };
@@ -126,12 +129,14 @@ void trim() {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(cache_folder(), ignored)) {
     if (!entry.is_regular_file(ignored) || is_lock(entry.path())) continue;
-    entries.push_back({entry.last_write_time(ignored), entry.file_size(ignored), entry.path()});
-    bytes += entries.back().bytes;
+    const std::uintmax_t size = entry.file_size(ignored);
+    const auto stays = size <= SmallBytes ? SmallStays : SmallStays.zero();
+    entries.push_back({entry.last_write_time(ignored) + stays, size, entry.path()});
+    bytes += size;
   }
   if (bytes <= MostBytes) return;
   std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.used < b.used; });
+            [](const Entry& a, const Entry& b) { return a.until < b.until; });
   for (const Entry& entry : entries) {
     if (bytes <= MostBytes / 5 * 4) return;
     if (fs::remove(entry.path, ignored)) bytes -= entry.bytes;

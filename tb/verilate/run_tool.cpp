@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -93,6 +94,11 @@ pid_t start(const ToolRun& run, int output) {
   const auto kept = static_cast<unsigned>(output);
   close_range(STDERR_FILENO + 1, kept - 1, 0);
   close_range(kept + 1, ~0U, 0);
+  if (run.work.count() > 0) {
+    const auto most = static_cast<rlim_t>(run.work.count());
+    const rlimit work{most, most};
+    setrlimit(RLIMIT_CPU, &work);
+  }
   pid_t tool = 0;
   if (const int error = spawn(run, output, tool)) {
     dprintf(output, "%s cannot be started: %s\n", run.words[0].c_str(), std::strerror(error));

@@ -17,6 +17,8 @@ struct ToolRun {
   std::string folder;                    ///< where it runs; empty: here
   std::vector<std::string> environment;  ///< "NAME=value", beside what is there
   std::function<void()> tick;            ///< called some ten times a second meanwhile
+  /// How long processors may work for each process of it, which is killed then; 0: no limit.
+  std::chrono::seconds work{0};
 };
 
 struct ToolResult {

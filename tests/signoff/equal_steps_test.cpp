@@ -11,8 +11,7 @@ namespace {
 
 bool are_equal(const AndCircuit& unit, const AndCircuit& mutant, const RegisterWord& word,
                const StateValues& possible = {}) {
-  return EqualSteps(unit, mutant, possible, word)
-      .hold(std::chrono::steady_clock::now() + std::chrono::seconds(60));
+  return EqualSteps(unit, mutant, possible, word).hold(WorkClock::now() + std::chrono::seconds(60));
 }
 
 Literal chosen(AndCircuit& circuit, Literal if_so, Literal a, Literal b) {

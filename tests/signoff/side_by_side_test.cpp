@@ -7,8 +7,6 @@
 namespace racebeam {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// (a & b) & `second`, then & c, of the inputs a, b, c.
 AndCircuit chain(Literal second) {
   AndCircuit circuit;
@@ -21,7 +19,7 @@ AndCircuit chain(Literal second) {
 }
 
 /// That and a chain with another `second`, copied into one circuit of three inputs.
-SideBySide copied(Literal second, Clock::time_point end) {
+SideBySide copied(Literal second, WorkClock::time_point end) {
   AndCircuit into;
   into.inputs = 3;
   const std::vector<Literal> values{into.input(0), into.input(1), into.input(2)};
@@ -29,19 +27,19 @@ SideBySide copied(Literal second, Clock::time_point end) {
 }
 
 TEST(SideBySideTest, TheSameGatesAreShared) {
-  const SideBySide both = copied(2, Clock::now());  // the first input, as before
+  const SideBySide both = copied(2, WorkClock::now());  // the first input, as before
   EXPECT_EQ(both.unit, both.mutant);
 }
 
 // a & b & a is a & b.
 TEST(SideBySideTest, GatesThatSeemToDifferAreFoundEqual) {
-  EXPECT_NE(copied(True, Clock::now()).unit, copied(True, Clock::now()).mutant);
-  const SideBySide both = copied(True, Clock::now() + std::chrono::minutes(1));
+  EXPECT_NE(copied(True, WorkClock::now()).unit, copied(True, WorkClock::now()).mutant);
+  const SideBySide both = copied(True, WorkClock::now() + std::chrono::minutes(1));
   EXPECT_EQ(both.unit, both.mutant);
 }
 
 TEST(SideBySideTest, OthersAreNot) {
-  const SideBySide both = copied(False, Clock::now() + std::chrono::minutes(1));
+  const SideBySide both = copied(False, WorkClock::now() + std::chrono::minutes(1));
   EXPECT_NE(both.unit, both.mutant);
 }
 
@@ -59,8 +57,8 @@ TEST(SideBySideTest, WhatIsTheSameInSamplesOnlyIsNotTaken) {
   AndCircuit mutant = unit;
   mutant.gates.back()[1] = True;
   unit.outputs = mutant.outputs = {unit.register_at(Inputs - 2)};
-  const SideBySide both =
-      copy_side_by_side(into, unit, mutant, values, values, Clock::now() + std::chrono::minutes(1));
+  const SideBySide both = copy_side_by_side(into, unit, mutant, values, values,
+                                            WorkClock::now() + std::chrono::minutes(1));
   EXPECT_NE(both.unit, both.mutant);
 }
 
