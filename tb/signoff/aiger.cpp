@@ -139,6 +139,26 @@ AndCircuit without_registers(AndCircuit circuit) {
   return circuit;
 }
 
+AndCircuit cone_of(const AndCircuit& circuit, const std::vector<Literal>& outputs) {
+  const std::size_t first = 1 + circuit.inputs;
+  std::vector<bool> needed(first + circuit.gates.size());
+  for (const Literal output : outputs) needed[output / 2] = true;
+  for (std::size_t n = needed.size(); n-- > first;)
+    if (needed[n])
+      for (const Literal read : circuit.gates[n - first]) needed[read / 2] = true;
+  AndCircuit cone;
+  cone.inputs = circuit.inputs;
+  std::vector<Literal> known(needed.size());
+  const auto here = [&known](Literal literal) { return known[literal / 2] ^ (literal & 1); };
+  for (std::size_t n = 1; n < needed.size(); ++n) {
+    if (n < first) known[n] = cone.input(n - 1);
+    else if (needed[n])
+      known[n] = cone.all(here(circuit.gates[n - first][0]), here(circuit.gates[n - first][1]));
+  }
+  for (const Literal output : outputs) cone.outputs.push_back(here(output));
+  return cone;
+}
+
 CircuitLanes::CircuitLanes(const AndCircuit& circuit)
     : circuit_(circuit), values_(1 + circuit.inputs + circuit.next.size() + circuit.gates.size()) {}
 

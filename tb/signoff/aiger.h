@@ -47,6 +47,9 @@ AndCircuit with_constant_inputs(AndCircuit circuit, const std::map<std::size_t, 
 /// outputs, before the others. What is failing stays so.
 AndCircuit without_registers(AndCircuit circuit);
 
+/// Of a circuit without registers the gates that some literals need, which are its outputs.
+AndCircuit cone_of(const AndCircuit& circuit, const std::vector<Literal>& outputs);
+
 /// 64 values of each variable at once.
 class CircuitLanes {
  public:

@@ -31,7 +31,7 @@ ZeroAnswer always_zero(const AndCircuit& circuit, std::chrono::seconds limit) {
     throw RtlError("iprove looks at one output of a circuit without registers");
   if (circuit.outputs[0] == False) return {true, {}};
   const WorkFolder work;
-  work.write("circuit.aig", aiger_of(circuit));
+  work.write("circuit.aig", aiger_of(cone_of(circuit, circuit.outputs)));
   ZeroAnswer answer;
   const std::string said =
       run_tool(

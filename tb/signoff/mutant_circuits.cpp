@@ -15,6 +15,7 @@
 #include "tb/base/reset_value.h"
 #include "tb/base/whole_file.h"
 #include "tb/signoff/aiger.h"
+#include "tb/signoff/memory_bits.h"
 #include "tb/signoff/yosys_sources.h"
 #include "tb/verilate/cache_folder.h"
 
@@ -27,8 +28,12 @@ constexpr int Samples = 4096;   // of wider ones
 constexpr const char* Miter = "racebeam_miter";
 constexpr const char* Step = "racebeam_step";
 constexpr const char* Unit = "racebeam_unit";
+constexpr std::size_t MostMemory = 16'384;  // bits that are written and looked at
+constexpr const char* Memory = "memory -nordff\n";
+constexpr const char* MemoryCut =
+    "memory -nordff -nomap\nexpose -evert t:$mem_v2 r:WR_PORTS>0 %i\nmemory_map\n";
 constexpr const char* Lowering =
-    "flatten\nmemory -nordff\nopt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
+    "opt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
     "setundef -undriven -init -zero\naigmap\nopt_clean\n";
 
 using Raw = std::uint64_t;
@@ -110,6 +115,11 @@ std::string instance(const ProofOfMutants& proof, const std::string& module, boo
   return text + ");\n";
 }
 
+/// Whether yosys-abc had too many registers to begin with all of them at 0.
+bool has_large_memory(const ProofOfMutants& proof) {
+  return written_bits(proof.netlist.rtlil) > MostMemory;
+}
+
 /// The mutants alone, or the unit; inputs that no chip has are replaced by one that it can have.
 std::string step_module(const ProofOfMutants& proof, const char* name, bool mutants) {
   std::string outputs, wires;
@@ -162,7 +172,9 @@ std::string miter_module(const ProofOfMutants& proof) {
          fmt::format("  assign differs = started && kept && legal && ({});\nendmodule\n", differ);
 }
 
-std::string circuit_commands() { return Lowering; }
+std::string circuit_commands(const ProofOfMutants& proof) {
+  return std::string("flatten\n") + (has_large_memory(proof) ? MemoryCut : Memory) + Lowering;
+}
 
 MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
   const WorkFolder work;
@@ -175,62 +187,29 @@ MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mu
   const std::string mutated =
       fmt::format("read_rtlil plain.il\n{}rename {} is_unit\n",
                   choosing_commands(mutants, mutant_bits(proof.netlist.mutants)), unit);
-  const auto written = [](const char* top, const char* name) {
+  const auto written = [&proof](const char* top, const char* name) {
     return fmt::format(
         "read_verilog -sv {1}.v\nhierarchy -top {0}\nproc\n{2}"
         "write_aiger -zinit -map {1}.map {1}.aig\ndesign -reset\n",
-        top, name, Lowering);
+        top, name, circuit_commands(proof));
   };
-  run_yosys(fmt::format("read_rtlil plain.il\nrename {} was_unit\n", unit) + mutated +
-                written(Miter, "miter") + mutated + written(Step, "step") +
+  const bool whole = !has_large_memory(proof);
+  run_yosys((whole ? fmt::format("read_rtlil plain.il\nrename {} was_unit\n", unit) + mutated +
+                         written(Miter, "miter")
+                   : "") +
+                mutated + written(Step, "step") +
                 fmt::format("read_rtlil {}.il\nrename {} is_unit\n",
                             proof.netlist.asserted.empty() ? "plain" : "asserted", unit) +
                 written(Unit, "unit"),
             work.path(), unit);
-  const auto read = [&work](const char* name) { return whole_file(work.file(name)); };
-  const MutantCircuit alone(read("unit.aig"), read("unit.map"));
-  const MutantCircuit step(read("step.aig"), read("step.map"));
-  return {{read("miter.aig"), read("miter.map")},
-          step,
-          read("miter.map"),
-          words_as_in(alone.named(), step.named()),
+  const auto read = [&work](const std::string& name) { return whole_file(work.file(name)); };
+  const auto circuit = [&read](const std::string& name) {
+    return MutantCircuit(read(name + ".aig"), read(name + ".map"));
+  };
+  const MutantCircuit alone = circuit("unit"), step = circuit("step");
+  return {whole ? std::optional(circuit("miter")) : std::nullopt, step,
+          whole ? read("miter.map") : "", words_as_in(alone.named(), step.named()),
           claims_as_in(alone.named(), step.named())};
-}
-
-MutantCircuit::MutantCircuit(const std::string& aiger, const std::string& map)
-    : named_{read_circuit(aiger), {}, {}, {}} {
-  std::map<std::string, RegisterWord> words;
-  std::istringstream lines(map);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream fields(line);
-    std::string kind, name;
-    std::size_t at, bit;
-    if (!(fields >> kind >> at >> bit >> name)) continue;
-    if (kind == "latch") {
-      words[name].push_back(at);
-      // Names of yosys, "$auto$...", are not those of another circuit.
-      if (name[0] != '$') named_.registers[fmt::format("{} {}", name, bit)] = at;
-    }
-    if (kind != "input") continue;
-    if (name != MutantInput) {
-      named_.inputs[fmt::format("{} {}", name, bit)] = at;
-      continue;
-    }
-    choice_.resize(std::max(choice_.size(), bit + 1));
-    choice_[bit] = at;
-  }
-  for (const auto& [name, word] : words) named_.words.push_back(word);
-}
-
-AndCircuit MutantCircuit::with(int number) const {
-  std::map<std::size_t, bool> constants;
-  for (std::size_t bit = 0; bit < choice_.size(); ++bit)
-    constants[choice_[bit]] = ((number >> bit) & 1) != 0;
-  return with_constant_inputs(named_.circuit, constants);
-}
-
-NamedCircuit MutantCircuit::named() const {
-  return {with(0), named_.inputs, named_.words, named_.registers};
 }
 
 bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<Raw>>& rows) {

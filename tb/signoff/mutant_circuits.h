@@ -7,10 +7,12 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tb/signoff/aiger.h"
+#include "tb/signoff/mutant_circuit.h"
 #include "tb/signoff/mutant_netlist.h"
 #include "tb/signoff/state_values.h"
 #include "tb/twin/legal_inputs.h"
@@ -26,30 +28,16 @@ struct ProofOfMutants {
   std::chrono::milliseconds limit;  ///< for each mutant
 };
 
-/// A circuit with some mutants in it, of which an input chooses one.
-class MutantCircuit {
- public:
-  /// `map` tells which input and register of the circuit is which, as yosys' write_aiger -map does.
-  MutantCircuit(const std::string& aiger, const std::string& map);
-  /// With that mutant chosen, or none, 0.
-  AndCircuit with(int number) const;
-  /// Without a mutant; those inputs are not named.
-  NamedCircuit named() const;
-
- private:
-  NamedCircuit named_;
-  std::vector<std::size_t> choice_;  // the inputs that choose a mutant, the lowest bit first
-};
-
 /// The unit and the mutant side by side; all registers start at 0 and see one clock of reset, then
 /// any inputs that a chip can have. The only output is 1 when outputs of the two differ.
 /// Registers without a reset start equal so.
 std::string miter_module(const ProofOfMutants& proof);
 
 struct MutantCircuits {
-  MutantCircuit miter;
+  std::optional<MutantCircuit> miter;  ///< none of a unit with more memory than can be looked at
   MutantCircuit
-      step;  ///< mutants alone; inputs that no chip has are replaced by one that it can have
+      step;  ///< mutants alone; inputs that no chip has are replaced by one that it can have; of
+             ///< more memory than that, what it is given are outputs, and what it gives, inputs
   std::string miter_map;
   std::vector<RegisterWord> words;  ///< of the step
   AndCircuit claims;                ///< of the step's registers: 1 where an assertion fails
@@ -59,7 +47,7 @@ struct MutantCircuits {
 MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants);
 
 /// What the circuits follow from, but for netlist, mutant and miter_module().
-std::string circuit_commands();
+std::string circuit_commands(const ProofOfMutants& proof);
 
 /// Whether a chip can have these inputs: a row for each clock, in it a value for each input.
 bool is_legal(const ProofOfMutants& proof, const std::vector<std::vector<std::uint64_t>>& rows);

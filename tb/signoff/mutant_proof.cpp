@@ -37,7 +37,7 @@ using Raw = std::uint64_t;
 std::string key_of(const ProofOfMutants& proof, int number) {
   const Mutant& mutant = proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
   return content_key(
-             {proof.netlist.rtlil, mutant.command, miter_module(proof), circuit_commands()}) +
+             {proof.netlist.rtlil, mutant.command, miter_module(proof), circuit_commands(proof)}) +
          ".equal";
 }
 
@@ -143,10 +143,11 @@ std::vector<RegisterWord> small_words(const AndCircuit& circuit,
   return small;
 }
 
-/// Told by no word first, then by one after the other, then by two. Takes a third of the time.
+/// Told by no word first, then by one after the other, then by two. Takes a third of the time, or
+/// all of it if that is the only way.
 bool MutantProofs::has_equal_steps(int number) const {
   if (!circuits_) return false;
-  const auto end = WorkClock::now() + proof_.limit / 3;
+  const auto end = WorkClock::now() + proof_.limit / (circuits_->miter ? 3 : 1);
   const AndCircuit unit = circuits_->step.with(0), mutant = circuits_->step.with(number);
   std::vector<RegisterWord> words = small_words(unit, circuits_->words);
   words.insert(words.begin(), RegisterWord{});
@@ -170,8 +171,14 @@ MutantProof MutantProofs::refute(int number) const {
 
 MutantProof MutantProofs::ask(int number, const std::vector<Question>& questions) const {
   if (!circuits_) return {MutantProof::Undecided, {}, "no proof was asked for"};
+  if (!circuits_->miter)
+    return {MutantProof::Undecided,
+            {},
+            fmt::format("clock by clock it was not proved equal within {:g} seconds, and for more "
+                        "there is too much memory",
+                        seconds())};
   const WorkFolder work;
-  work.write("miter.aig", aiger_of(circuits_->miter.with(number)));
+  work.write("miter.aig", aiger_of(circuits_->miter->with(number)));
   std::string said;
   const auto says = [&](const char* status) { return said.find(status) != std::string::npos; };
   for (const Question& question : questions) {

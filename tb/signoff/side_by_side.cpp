@@ -63,22 +63,8 @@ class Samples {
 
 /// What is 1 where two literals differ, with the gates that it needs.
 AndCircuit difference_of(const AndCircuit& circuit, Literal a, Literal b) {
-  const std::size_t first = 1 + circuit.inputs;
-  std::vector<bool> needed(first + circuit.gates.size());
-  needed[a / 2] = needed[b / 2] = true;
-  for (std::size_t n = needed.size(); n-- > first;)
-    if (needed[n])
-      for (const Literal read : circuit.gates[n - first]) needed[read / 2] = true;
-  AndCircuit one;
-  one.inputs = circuit.inputs;
-  std::vector<Literal> known(needed.size());
-  const auto here = [&known](Literal literal) { return known[literal / 2] ^ (literal & 1); };
-  for (std::size_t n = 1; n < needed.size(); ++n) {
-    if (n < first) known[n] = one.input(n - 1);
-    else if (needed[n])
-      known[n] = one.all(here(circuit.gates[n - first][0]), here(circuit.gates[n - first][1]));
-  }
-  const Literal is_a = here(a), is_b = here(b);
+  AndCircuit one = cone_of(circuit, {a, b});
+  const Literal is_a = one.outputs[0], is_b = one.outputs[1];
   one.outputs = {one.any(one.all(is_a, is_b ^ 1), one.all(is_a ^ 1, is_b))};
   return one;
 }

@@ -49,7 +49,7 @@ StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWo
   if (!close(circuit, half)) {
     const auto wide = [](const Group& group) { return group.bits.size() == 1; };
     groups_.erase(std::remove_if(groups_.begin(), groups_.end(), wide), groups_.end());
-    if (!close(circuit, end)) groups_.clear();
+    if (!close(circuit, end)) close_each(circuit, end + limit / 2);
   }
   claims_ = std::move(claims);
   keep_proved(circuit, end);
@@ -102,15 +102,39 @@ bool StateValues::close(const AndCircuit& circuit, WorkClock::time_point end) {
     const auto [zero, inputs] = always_zero(question, for_one_);
     if (zero) return true;
     if (inputs.empty() || WorkClock::now() > end) return false;
-    CircuitLanes lanes(circuit);
-    for (std::size_t n = 0; n < inputs.size(); ++n)
-      (n < circuit.inputs ? lanes.input(n) : lanes.register_at(n - circuit.inputs)) = inputs[n];
-    for (const auto& [at, value] : constants()) lanes.register_at(at) = value ? ~Lanes{0} : 0;
-    lanes.settle();
-    take(circuit, lanes, 1);
-    forget_free();
+    take_found(circuit, inputs);
   }
   return true;
+}
+
+/// The next values of a clock that leads out of the values.
+void StateValues::take_found(const AndCircuit& circuit, const std::vector<bool>& inputs) {
+  CircuitLanes lanes(circuit);
+  for (std::size_t n = 0; n < inputs.size(); ++n)
+    (n < circuit.inputs ? lanes.input(n) : lanes.register_at(n - circuit.inputs)) = inputs[n];
+  for (const auto& [at, value] : constants()) lanes.register_at(at) = value ? ~Lanes{0} : 0;
+  lanes.settle();
+  take(circuit, lanes, 1);
+  forget_free();
+}
+
+/// Takes the groups one by one, and drops those of which it is not known.
+void StateValues::close_each(const AndCircuit& circuit, WorkClock::time_point end) {
+  for (std::size_t n = 0; n < groups_.size();) {
+    AndCircuit question = one_clock(circuit);
+    const std::vector<Literal> next = next_in(question, circuit.next.size());
+    const Literal before = hold(question, state_inputs(question, circuit.next.size()));
+    question.outputs = {question.all(before, holds(groups_[n], question, next) ^ 1)};
+    if (WorkClock::now() > end) return groups_.clear();
+    const auto [zero, inputs] = always_zero(question, for_one_);
+    if (zero) {
+      ++n;
+      continue;
+    }
+    if (!inputs.empty()) take_found(circuit, inputs);
+    else groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(n));
+    n = 0;  // the others may have needed it
+  }
 }
 
 /// Drops the claims that are wrong at the start, and those that some clock leads out of.
@@ -175,17 +199,20 @@ void StateValues::choose(std::mt19937_64& random, std::vector<Lanes>& state) con
 
 Literal StateValues::hold(AndCircuit& circuit, const std::vector<Literal>& state) const {
   Literal all = True;
-  for (const Group& group : groups_) {
-    Literal one = False;
-    for (const unsigned value : group.values) {
-      Literal is = True;
-      for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
-        is = circuit.all(is, state[group.bits[bit]] ^ (((value >> bit) & 1) == 0 ? 1 : 0));
-      one = circuit.any(one, is);
-    }
-    all = circuit.all(all, one);
-  }
+  for (const Group& group : groups_) all = circuit.all(all, holds(group, circuit, state));
   return circuit.all(all, claimed(circuit, state));
+}
+
+Literal StateValues::holds(const Group& group, AndCircuit& circuit,
+                           const std::vector<Literal>& state) {
+  Literal one = False;
+  for (const unsigned value : group.values) {
+    Literal is = True;
+    for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
+      is = circuit.all(is, state[group.bits[bit]] ^ (((value >> bit) & 1) == 0 ? 1 : 0));
+    one = circuit.any(one, is);
+  }
+  return one;
 }
 
 Literal StateValues::claimed(AndCircuit& circuit, const std::vector<Literal>& state) const {

@@ -56,6 +56,9 @@ class StateValues {
   void take(const AndCircuit& circuit, const CircuitLanes& lanes, std::uint64_t which);
   void forget_free();
   bool close(const AndCircuit& circuit, WorkClock::time_point end);
+  void take_found(const AndCircuit& circuit, const std::vector<bool>& inputs);
+  void close_each(const AndCircuit& circuit, WorkClock::time_point end);
+  static Literal holds(const Group& group, AndCircuit& circuit, const std::vector<Literal>& state);
   void keep_proved(const AndCircuit& circuit, WorkClock::time_point end);
   void add_claimed(const std::vector<Group>& groups, WorkClock::time_point end);
   Literal claimed(AndCircuit& circuit, const std::vector<Literal>& state) const;

@@ -19,7 +19,7 @@ namespace racebeam {
 
 class BlockWalk {
  public:
-  static constexpr std::uint64_t Clocks = 200'000;
+  static constexpr std::uint64_t Clocks = 1'000'000;
 
   /// For block_core on `bench`; the same seed makes the same traffic.
   BlockWalk(UnitBench& bench, const knob_values& k, unsigned seed);
@@ -30,12 +30,15 @@ class BlockWalk {
  private:
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
   void choose_world();
+  std::uint64_t number();
   void drive(const char* port, std::uint64_t value);
 
   UnitBench& bench_;
   const LegalInputs legal_;
   std::mt19937 random_;
   bool begun_ = false;
+  int scale_ = 0;       // bits that most numbers of a world do without
+  bool alike_ = false;  // all do
 };
 
 class DealWalk {

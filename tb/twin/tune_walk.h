@@ -39,6 +39,7 @@ class TuneWalk {
   void next_moment(int moment);
   int moment_x2(int clock) const;
   void drive_x2(int x2);
+  void drive_line(int line);  // of the frame
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
 
   UnitBench& bench_;

@@ -66,6 +66,17 @@ TEST(AigerTest, GatesAreAddedWhereTheyAreNeeded) {
   EXPECT_THAT(circuit.gates, ElementsAre(ElementsAre(4, 2), ElementsAre(2, 6), ElementsAre(3, 7)));
 }
 
+TEST(AigerTest, AConeHasOnlyTheGatesThatItNeeds) {
+  AndCircuit circuit;
+  circuit.inputs = 3;
+  const Literal both = circuit.all(2, 4), other = circuit.all(4, 6);
+  const AndCircuit cone = cone_of(circuit, {circuit.all(other, 3) ^ 1, 5});
+  EXPECT_EQ(cone.inputs, 3u);
+  EXPECT_THAT(cone.gates, ElementsAre(ElementsAre(4, 6), ElementsAre(8, 3)));
+  EXPECT_THAT(cone.outputs, ElementsAre(11, 5));
+  EXPECT_EQ(cone_of(circuit, {both}).gates.size(), 1u);
+}
+
 TEST(AigerTest, LanesRunAsTheCircuitSays) {
   const AndCircuit circuit = read_circuit(Circuit);
   CircuitLanes lanes(circuit);

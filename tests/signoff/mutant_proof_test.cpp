@@ -13,35 +13,29 @@
 namespace racebeam {
 namespace {
 
-// Bit 1 of op_i inverted where bit 0 is 1: op_i is 2 or not, before and after.
-constexpr const char* Unseen =
-    "mutate -mode cnot1 -module mine -cell $eq$mine.sv:5$3 -port A -portbit 1 -ctrlbit 0";
-constexpr const char* Seen =
-    "mutate -mode cnot0 -module mine -cell $eq$mine.sv:5$3 -port A -portbit 1 -ctrlbit 0";
+constexpr int Unseen = 1, Seen = 2;
 
-class MutantProofTest : public testing::Test {
- protected:
-  MutantProofTest() {
-    std::ofstream(folder_ / "mine.sv")
-        << "module mine (input wire clk_i, input wire rst_ni, input wire [1:0] op_i,\n"
-           "  input wire [23:0] a_i, input wire [23:0] b_i, output reg [47:0] out_o);\n"
-           "reg [23:0] left_q;\n"
-           "always @(posedge clk_i)\n"
-           "  if (!rst_ni) left_q <= 0; else left_q <= op_i == 2 ? a_i : b_i;\n"
-           "always @(posedge clk_i) out_o <= left_q * (a_i + 24'd3);\n"
-           "endmodule\n";
+/// A module with mutants of `op_i == 2`: bit 1 of op_i inverted where bit 0 is 1, so that op_i is 2
+/// or not, before and after; or where it is 0.
+class Mine {
+ public:
+  Mine(const std::string& body, std::vector<PortTraffic::Port> ports) {
+    std::ofstream(folder_ / "mine.sv") << body;
     RtlSources sources;
     sources.top = "mine";
     sources.files = {folder_ / "mine.sv"};
     netlist_ = mutant_netlist(sources, 1, 1);
-    netlist_.mutants = {{1, Unseen, "unseen", ""}, {2, Seen, "seen", ""}};
-    ports_ = {"mine",
-              {{"rst_ni", 1, true},
-               {"op_i", 2, true},
-               {"a_i", 24, true},
-               {"b_i", 24, true},
-               {"out_o", 48, false}},
-              {}};
+    const std::size_t begin = netlist_.rtlil.find("$eq$mine.sv");
+    const std::string cell =
+        netlist_.rtlil.substr(begin, netlist_.rtlil.find_first_of("_ \n", begin) - begin);
+    const auto mutant = [&cell](int number, const char* mode) {
+      return Mutant{number,
+                    std::string("mutate -mode ") + mode + " -module mine -cell " + cell +
+                        " -port A -portbit 1 -ctrlbit 0",
+                    mode, ""};
+    };
+    netlist_.mutants = {mutant(Unseen, "cnot1"), mutant(Seen, "cnot0")};
+    ports_ = {"mine", std::move(ports), {}};
   }
 
   MutantProof prove(int number, const LegalInputs& legal = LegalInputs({})) const {
@@ -55,19 +49,51 @@ class MutantProofTest : public testing::Test {
   PortTraffic ports_;
 };
 
+class MutantProofTest : public testing::Test {
+ protected:
+  const Mine mine_{
+      "module mine (input wire clk_i, input wire rst_ni, input wire [1:0] op_i,\n"
+      "  input wire [23:0] a_i, input wire [23:0] b_i, output reg [47:0] out_o);\n"
+      "reg [23:0] left_q;\n"
+      "always @(posedge clk_i)\n"
+      "  if (!rst_ni) left_q <= 0; else left_q <= op_i == 2 ? a_i : b_i;\n"
+      "always @(posedge clk_i) out_o <= left_q * (a_i + 24'd3);\n"
+      "endmodule\n",
+      {{"rst_ni", 1, true},
+       {"op_i", 2, true},
+       {"a_i", 24, true},
+       {"b_i", 24, true},
+       {"out_o", 48, false}}};
+};
+
 TEST_F(MutantProofTest, WhatCanNeverBeSeenIsEqual) {
-  EXPECT_EQ(prove(1).verdict, MutantProof::Equal);
+  EXPECT_EQ(mine_.prove(Unseen).verdict, MutantProof::Equal);
 }
 
 TEST_F(MutantProofTest, WhatCanBeSeenHasACounterexample) {
-  const MutantProof proof = prove(2);
+  const MutantProof proof = mine_.prove(Seen);
   EXPECT_EQ(proof.verdict, MutantProof::Counterexample);
   EXPECT_GE(proof.inputs.size(), 3u) << "in reset, into left_q, into out_o";
 }
 
 TEST_F(MutantProofTest, WhatIsSeenOnlyWithInputsThatNoChipHasIsEqual) {
   const LegalInputs odd({{"op_i", [](std::uint64_t raw) { return raw | 1; }}});
-  EXPECT_EQ(prove(2, odd).verdict, MutantProof::Equal) << "op_i is never 2";
+  EXPECT_EQ(mine_.prove(Seen, odd).verdict, MutantProof::Equal) << "op_i is never 2";
+}
+
+TEST(LargeMemoryTest, IsTheSameWhereTheSameIsWrittenToIt) {
+  const Mine mine(
+      "module mine (input wire clk_i, input wire [1:0] op_i, input wire [9:0] at_i,\n"
+      "  input wire [31:0] a_i, output reg [31:0] out_o);\n"
+      "reg [31:0] kept_q[0:1023];\n"
+      "always @(posedge clk_i) if (op_i == 2) kept_q[at_i] <= a_i;\n"
+      "always @(posedge clk_i) out_o <= kept_q[a_i[9:0]];\n"
+      "endmodule\n",
+      {{"op_i", 2, true}, {"at_i", 10, true}, {"a_i", 32, true}, {"out_o", 32, false}});
+  EXPECT_EQ(mine.prove(Unseen).verdict, MutantProof::Equal);
+  const MutantProof seen = mine.prove(Seen);
+  EXPECT_EQ(seen.verdict, MutantProof::Undecided);
+  EXPECT_NE(seen.why.find("too much memory"), std::string::npos) << seen.why;
 }
 
 }  // namespace

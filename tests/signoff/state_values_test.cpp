@@ -89,6 +89,48 @@ AndCircuit are_zero(unsigned which) {
   return claims;
 }
 
+/// Bits of a product of two numbers of 16 bits, each multiplied by hand.
+std::vector<Literal> product(AndCircuit& circuit, const std::vector<Literal>& a,
+                             const std::vector<Literal>& b) {
+  std::vector<Literal> sum(a.size() + b.size(), False);
+  for (std::size_t n = 0; n < b.size(); ++n) {
+    Literal carry = False;
+    for (std::size_t bit = 0; bit < a.size(); ++bit) {
+      const Literal term = circuit.all(a[bit], b[n]), old = sum[n + bit];
+      const auto differ = [&](Literal x, Literal y) {
+        return circuit.any(circuit.all(x, y ^ 1), circuit.all(x ^ 1, y));
+      };
+      const Literal half = differ(term, old);
+      sum[n + bit] = differ(half, carry);
+      carry = circuit.any(circuit.all(term, old), circuit.all(half, carry));
+    }
+    sum[n + a.size()] = carry;
+  }
+  return sum;
+}
+
+// a * b is b * a, which nobody finds out in a second.
+TEST(StateValuesTest, WhatIsNotKnownOfAWordIsNotNeededOfOthers) {
+  constexpr std::size_t Bits = 16;
+  AndCircuit circuit;
+  circuit.inputs = 1 + 2 * Bits;
+  circuit.next.assign(4, False);
+  const Literal count = circuit.input(0), low = circuit.register_at(0),
+                high = circuit.register_at(1);
+  circuit.next[0] = circuit.all(count, circuit.all(low ^ 1, high ^ 1));
+  circuit.next[1] = circuit.all(count, low);
+  std::vector<Literal> a, b;
+  for (std::size_t n = 0; n < Bits; ++n)
+    a.push_back(circuit.input(1 + n)), b.push_back(circuit.input(1 + Bits + n));
+  const auto ab = product(circuit, a, b), ba = product(circuit, b, a);
+  for (const std::size_t n : {2, 3})
+    circuit.next[n] = circuit.any(circuit.all(ab[Bits + n], ba[Bits + n] ^ 1),
+                                  circuit.all(ab[Bits + n] ^ 1, ba[Bits + n]));
+  const StateValues values(circuit, {{2, 3}, {0, 1}}, std::chrono::seconds(6));
+  EXPECT_TRUE(is_possible(values, 4, 4)) << "not found out";
+  EXPECT_FALSE(is_possible(values, 3, 4)) << "a counter to three";
+}
+
 TEST(StateValuesTest, AClaimIsKeptIfNoClockLeadsOutOfIt) {
   AndCircuit circuit, equal;
   circuit.inputs = 1;
