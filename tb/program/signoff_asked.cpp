@@ -45,12 +45,16 @@ void expect_unit(const std::string& unit, const Run& run) {
   else use.check_unit(unit);
 }
 
-/// Of "UNIT=FILE".
+/// Of "UNIT=FILE"; "UNIT=rtl" is the project's own RTL, as in other commands.
 std::string file_of(const std::string& word) {
   const auto equals = word.find('=');
   if (equals == std::string::npos) return "";
   const std::string unit = word.substr(0, equals), file = word.substr(equals + 1);
   if (file.empty()) throw UsageError("'" + word + "' is not of the form UNIT or UNIT=FILE.sv");
+  if (file == "rtl") return "";
+  if (file == "gates")
+    throw UsageError(word + ": gates are one of the checks: racebeam signoff " + unit +
+                     " --only gates");
   const std::filesystem::path path(file);
   if (path.extension() == ".so")
     throw UsageError(word +

@@ -57,6 +57,12 @@ class CliSignoffTest : public testing::Test {
     EXPECT_EQ(run.wait(), 1) << run.err();
     EXPECT_THAT(run.out(), HasSubstr(said));
   }
+  /// mine.sv: the RTL of a unit with other words in one place.
+  void write_mine(const std::string& unit, const std::string& was, const std::string& is) {
+    std::string text = read_file(rtl_file(unit));
+    ASSERT_NE(text.find(was), std::string::npos);
+    std::ofstream(folder / "mine.sv") << text.replace(text.find(was), was.size(), is);
+  }
   static std::string waiver(const std::string& mutant, const std::string& reason) {
     return "[[waiver]]\nunit = 'stacks'\nmutant = '" + mutant + "'\n" + reason +
            "\nreviewer = 'N. N.'\ndate = '2026-11-23'\n";
@@ -105,11 +111,7 @@ TEST_F(CliSignoffTest, WhatIsFoundLateGetsAStreamOfItsOwn) {
 }
 
 TEST_F(CliSignoffTest, AMistakeInTheRtlTurnsItRed) {
-  std::string text = read_file(rtl_file("stacks"));
-  const std::string was = "(n + 1) % IntervalStackDepth";
-  ASSERT_NE(text.find(was), std::string::npos);
-  text.replace(text.find(was), was.size(), "n % IntervalStackDepth");
-  std::ofstream(folder / "mine.sv") << text;
+  write_mine("stacks", "(n + 1) % IntervalStackDepth", "n % IntervalStackDepth");
   Program run(folder.path(), words("stacks=mine.sv", {}));
   EXPECT_EQ(run.wait(), 1);
   EXPECT_THAT(run.out(), HasSubstr("model and RTL differ in clock"));
@@ -126,11 +128,7 @@ TEST_F(CliSignoffTest, AWholeChipHasChecksOfItsOwn) {
 }
 
 TEST_F(CliSignoffTest, AMistakeInTheWiringOfTheChipTurnsItRed) {
-  std::string text = read_file(rtl_file("racebeam_top"));
-  const std::string was = ".pwm_o(pwm_o)";
-  ASSERT_NE(text.find(was), std::string::npos);
-  text.replace(text.find(was), was.size(), ".pwm_o()");
-  std::ofstream(folder / "mine.sv") << text;
+  write_mine("racebeam_top", ".pwm_o(pwm_o)", ".pwm_o()");
   Program run(folder.path(), {"signoff", "racebeam_top=mine.sv", "--only", "comparator"});
   EXPECT_EQ(run.wait(), 1) << run.err();
   EXPECT_THAT(run.out(), HasSubstr("differ by themselves, at pwm_o"));
@@ -143,11 +141,9 @@ TEST_F(CliSignoffTest, AFileOfAnotherNameIsNoWarning) {
 }
 
 TEST_F(CliSignoffTest, AWarningTurnsItRed) {
-  std::string text = read_file(rtl_file("stacks"));
-  text.insert(text.rfind("endmodule"),
-              "  logic nobody_reads_it;\n  assign nobody_reads_it = rst;\n"
-              "  logic rst;\n  assign rst = 1'b0;\n");
-  std::ofstream(folder / "mine.sv") << text;
+  write_mine("stacks", "endmodule",
+             "  logic nobody_reads_it;\n  assign nobody_reads_it = rst;\n"
+             "  logic rst;\n  assign rst = 1'b0;\nendmodule");
   Program run(folder.path(), {"signoff", "stacks=mine.sv", "--only", "lint"});
   EXPECT_EQ(run.wait(), 1);
   EXPECT_THAT(run.out(), HasSubstr("nobody_reads_it"));
@@ -211,7 +207,7 @@ TEST_F(CliSignoffTest, AnInterruptEndsItAtOnceAndLeavesNobody) {
 }
 
 TEST_F(CliSignoffTest, JUnitIsXmlWithAFailureForWhatIsRed) {
-  Program run(folder.path(), words("stacks", {"--random", "2", "--junit", "junit.xml"}));
+  Program run(folder.path(), words("stacks=rtl", {"--random", "2", "--junit", "junit.xml"}));
   EXPECT_EQ(run.wait(), 1);
   const std::unique_ptr<xmlDoc, void (*)(xmlDocPtr)> xml(
       xmlReadFile((folder / "junit.xml").c_str(), nullptr, XML_PARSE_NONET), xmlFreeDoc);
@@ -242,6 +238,7 @@ TEST_F(CliSignoffTest, BadWordsAreRefused) {
   expect_refused({"signoff", "racebeam_top", "--only", "mutants"}, "whose units have that check");
   expect_refused({"signoff", "racebeam_top", "--set", "fifo_entries=64"}, "leave out");
   expect_refused({"signoff", "stacks=mine.so"}, "give its source");
+  expect_refused({"signoff", "stacks=gates"}, "racebeam signoff stacks --only gates");
   expect_refused({"signoff", "stacks="}, "UNIT=FILE.sv");
   expect_refused({"signoff", "stacks", "--mutants", "0"}, "--mutants");
   expect_refused({"signoff", "stacks", "--waivers", "none.toml"}, "there is no file none.toml");
