@@ -18,8 +18,8 @@ struct MutantFate {
 
   int number = 0;
   State state = Alive;
-  std::string stream;       ///< that found it
-  std::uint64_t clock = 0;  ///< of the stream
+  std::string stream;       ///< that found it; undecided: with what it was asked
+  std::uint64_t clock = 0;  ///< of the stream; undecided: for how many seconds
   std::string port;         ///< empty: the mutant ended the RTL
   std::string note;         ///< why it is undecided; what an escaped one says
 };

@@ -16,6 +16,7 @@
 #include "tb/twin/bare_rtl.h"
 #include "tb/twin/random_episodes.h"
 #include "tb/twin/twins.h"
+#include "tb/verilate/cache_folder.h"
 
 namespace racebeam {
 
@@ -42,7 +43,15 @@ MutantSurvivors::MutantSurvivors(const SignoffUnit& unit, const SignoffOptions& 
       ports_(ports_in(unit.dut, work)),
       legal_(twins_of(engine_of(unit.dut.k)).inputs(unit.dut.k, unit.dut.scene, unit.dut.unit)),
       streams_(plugin, ports_, legal_),
-      proof_{netlist, ports_, legal_, std::chrono::seconds(options.proof_seconds)} {}
+      proof_{netlist, ports_, legal_, std::chrono::seconds(options.proof_seconds)},
+      asked_with_(content_key({netlist.asserted, circuit_commands(proof_)})) {}
+
+bool MutantSurvivors::is_open(const MutantFate& fate) const {
+  if (fate.state == MutantFate::Undecided)
+    return fate.stream != asked_with_ ||
+           fate.clock < static_cast<std::uint64_t>(options_.proof_seconds);
+  return fate.state == MutantFate::Alive;
+}
 
 void MutantSurvivors::decide(const std::vector<MutantFate>& fates,
                              const std::function<void(const MutantFate&)>& take) const {
@@ -101,8 +110,9 @@ MutantFate MutantSurvivors::late(const MutantFate& fate, const MutantProofs& pro
 }
 
 MutantFate MutantSurvivors::undecided(int number, const std::string& why) const {
-  return {number, MutantFate::Undecided, "", static_cast<std::uint64_t>(options_.proof_seconds), "",
-          why};
+  return {number,      MutantFate::Undecided,
+          asked_with_, static_cast<std::uint64_t>(options_.proof_seconds),
+          "",          why};
 }
 
 /// A counterexample counts if the mutant shows it on what the model says, and the unit does not.

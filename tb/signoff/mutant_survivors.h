@@ -32,6 +32,8 @@ class MutantSurvivors {
 
   /// Whether it was proved equal once, whatever the stimulus was then: it need not be run.
   bool is_known_equal(int number) const { return is_proved_equal(proof_, number); }
+  /// Whether it has not been asked yet for so long, and with these assertions.
+  bool is_open(const MutantFate& fate) const;
   /// `fates`: of each what is known. One that is found late stays so, unless a stream of its own
   /// finds it. Throws RtlError, MissingTool, Interrupted, OutputError.
   void decide(const std::vector<MutantFate>& fates,
@@ -58,6 +60,7 @@ class MutantSurvivors {
   const LegalInputs legal_;
   const MutantStreams streams_;
   const ProofOfMutants proof_;
+  const std::string asked_with_;  // beside the netlist
 };
 
 }  // namespace racebeam

@@ -93,9 +93,7 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
   };
   std::vector<MutantFate> open;
   for (const auto& [number, fate] : file.fates())
-    if (fate.state == MutantFate::Alive || (fate.state == MutantFate::Found && late(fate)) ||
-        (fate.state == MutantFate::Undecided &&
-         fate.clock < static_cast<std::uint64_t>(options.proof_seconds)))
+    if (survivors.is_open(fate) || (fate.state == MutantFate::Found && late(fate)))
       open.push_back(fate);
   if (!open.empty()) {
     done = 0;
