@@ -17,6 +17,7 @@
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/clock_wrapper.h"
 #include "tb/verilate/comb_paths.h"
+#include "tb/verilate/direct_triggers.h"
 #include "tb/verilate/elaborated.h"
 #include "tb/verilate/making_line.h"
 #include "tb/verilate/plugin_compiler.h"
@@ -158,6 +159,14 @@ std::string named(const RtlSources& sources) {
          (more > 0 ? " and " + std::to_string(more) + " more)" : ")");
 }
 
+/// What the glue is told of triggers.
+std::string text_of(const DirectTriggers& direct) {
+  std::string text = fmt::format("#define RTL_TICK_TRIGGERS {}\n", fmt::join(direct.ticks, ", "));
+  if (direct.ticks.size() > 1) text += "#define RTL_OWN_TICKS\n";
+  if (direct.take >= 0) text += fmt::format("#define RTL_TAKE_TRIGGER {}\n", direct.take);
+  return text;
+}
+
 /// A source was saved while it was read.
 struct Changed {};
 
@@ -196,7 +205,7 @@ void make(RtlSources sources, const std::string& content, const std::string& out
   const WorkFolder work;
   const std::set<std::string> quiet = late_inputs(whole, syntax);
   const std::set<std::string> taken = taken_inputs(sources, syntax, quiet);
-  const std::string known = facts(sources, syntax, quiet, !taken.empty());
+  std::string known = facts(sources, syntax, quiet, !taken.empty());
   if (is_wrapped(sources, syntax)) {
     work.write("wrapper.sv", clock_wrapper(sources, syntax, taken));
     sources.files.push_back(work.file("wrapper.sv"));
@@ -210,6 +219,7 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
+  if (const auto direct = direct_triggers(work.path())) known += text_of(*direct);
   compile_plugin(work, known, texts(syntax, settings_beside(whole), circular, quiet),
                  sources.coverage, line.tick(), out);
 }
