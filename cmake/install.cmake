@@ -42,7 +42,7 @@ install(
   DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
   COMPONENT program)
 install(
-  DIRECTORY tb/signoff/coverage_waivers
+  DIRECTORY tb/signoff/coverage_waivers tb/signoff/proved
   DESTINATION ${RACEBEAM_DATADIR}/tb/signoff
   COMPONENT program)
 install(

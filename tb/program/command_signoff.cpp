@@ -193,6 +193,7 @@ void add_options(const CommandOptions& command, Options& options) {
       "Seconds of a processor's work for the proof of each mutant that is not found; 0: none",
       is_number_in("--prove", 0, MostProofSeconds))
       .capture_default_str();
+  command.add_flag("--prove-again", signoff.prove_again, "Prove equal what was proved before, too");
   add_number(command, "--within", signoff.within,
              "Clocks; a mutant that random traffic finds later is not found, and gets a stream of "
              "its own. 0: none",

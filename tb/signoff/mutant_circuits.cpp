@@ -92,9 +92,8 @@ std::string clock_of(const std::string& rtlil) {
 
 std::string range(int bits) { return bits > 1 ? fmt::format("[{}:0] ", bits - 1) : ""; }
 
-std::string all_inputs(const ProofOfMutants& proof) {
-  std::string text =
-      fmt::format("input clk, input {}{}", range(mutant_bits(proof.netlist.mutants)), MutantInput);
+std::string all_inputs(const ProofOfMutants& proof, int choice_bits) {
+  std::string text = fmt::format("input clk, input {}{}", range(choice_bits), MutantInput);
   for (const PortTraffic::Port& port : proof.ports.ports)
     if (port.input) text += fmt::format(", input {}{}", range(port.bits), port.name);
   return text;
@@ -133,7 +132,9 @@ std::string step_module(const ProofOfMutants& proof, const char* name, bool muta
         fmt::format("  wire {0}legal_{1} = {2} ? {1} : {3}'d{4};\n", range(port.bits), port.name,
                     condition.empty() ? "1" : condition, port.bits, formed(proof.legal, port, 0));
   }
-  return fmt::format("module {} ({}{});\n", name, all_inputs(proof), outputs) + wires +
+  return fmt::format("module {} ({}{});\n", name,
+                     all_inputs(proof, mutant_bits(proof.netlist.mutants)), outputs) +
+         wires +
          instance(proof, "is_unit", mutants,
                   [](const PortTraffic::Port& port) {
                     return (port.input ? "legal_" : "") + port.name;
@@ -143,7 +144,7 @@ std::string step_module(const ProofOfMutants& proof, const char* name, bool muta
 
 }  // namespace
 
-std::string miter_module(const ProofOfMutants& proof) {
+std::string miter_module(const ProofOfMutants& proof, int choice_bits) {
   std::string resets, outputs, legal = "1", differ = "0";
   for (const PortTraffic::Port& port : proof.ports.ports) {
     if (!port.input) {
@@ -167,7 +168,7 @@ std::string miter_module(const ProofOfMutants& proof) {
              "  wire legal = {};\n"
              "  always @(posedge clk) begin\n    started <= 1;\n    kept <= kept && legal;\n"
              "  end\n",
-             Miter, all_inputs(proof), legal) +
+             Miter, all_inputs(proof, choice_bits), legal) +
          resets + outputs + side("was", false) + side("is", true) +
          fmt::format("  assign differs = started && kept && legal && ({});\nendmodule\n", differ);
 }
@@ -176,11 +177,15 @@ std::string circuit_commands(const ProofOfMutants& proof) {
   return std::string("flatten\n") + (has_large_memory(proof) ? MemoryCut : Memory) + Lowering;
 }
 
+std::string circuit_key(const ProofOfMutants& proof) {
+  return content_key({proof.netlist.rtlil, miter_module(proof, 1), circuit_commands(proof)});
+}
+
 MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
   const WorkFolder work;
   work.write("plain.il", proof.netlist.rtlil);
   work.write("asserted.il", proof.netlist.asserted);
-  work.write("miter.v", miter_module(proof));
+  work.write("miter.v", miter_module(proof, mutant_bits(proof.netlist.mutants)));
   work.write("step.v", step_module(proof, Step, true));
   work.write("unit.v", step_module(proof, Unit, false));
   const std::string& unit = proof.ports.unit;

@@ -14,6 +14,7 @@
 #include "tb/signoff/aiger.h"
 #include "tb/signoff/mutant_circuit.h"
 #include "tb/signoff/mutant_netlist.h"
+#include "tb/signoff/proved_mutants.h"
 #include "tb/signoff/state_values.h"
 #include "tb/twin/legal_inputs.h"
 #include "tb/twin/port_traffic.h"
@@ -26,12 +27,19 @@ struct ProofOfMutants {
   const PortTraffic& ports;
   const LegalInputs& legal;
   std::chrono::milliseconds limit;  ///< for each mutant
+  MutantNames proved{};             ///< equal, as a file tells
+  bool again = false;               ///< the cache is not believed
 };
 
 /// The unit and the mutant side by side; all registers start at 0 and see one clock of reset, then
 /// any inputs that a chip can have. The only output is 1 when outputs of the two differ.
 /// Registers without a reset start equal so.
-std::string miter_module(const ProofOfMutants& proof);
+/// `choice_bits`: of the input that chooses a mutant.
+std::string miter_module(const ProofOfMutants& proof, int choice_bits);
+
+/// Names what a proof is asked of, whichever mutants are chosen; yosys's version is in it, as a
+/// netlist's text tells it.
+std::string circuit_key(const ProofOfMutants& proof);
 
 struct MutantCircuits {
   std::optional<MutantCircuit> miter;  ///< none of a unit with more memory than can be looked at

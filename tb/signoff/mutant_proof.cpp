@@ -33,18 +33,20 @@ constexpr std::chrono::seconds StateTime{60};  // at least, to find out which st
 
 using Raw = std::uint64_t;
 
-/// The text of a netlist tells yosys's version.
+const Mutant& mutant_of(const ProofOfMutants& proof, int number) {
+  return proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
+}
+
 std::string key_of(const ProofOfMutants& proof, int number) {
-  const Mutant& mutant = proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1);
-  return content_key(
-             {proof.netlist.rtlil, mutant.command, miter_module(proof), circuit_commands(proof)}) +
-         ".equal";
+  return content_key({circuit_key(proof), mutant_of(proof, number).command}) + ".equal";
 }
 
 }  // namespace
 
 bool is_proved_equal(const ProofOfMutants& proof, int number) {
-  return !in_cache(key_of(proof, number)).empty();
+  if (proof.again) return false;
+  return proof.proved.count(mutant_of(proof, number).name) != 0 ||
+         !in_cache(key_of(proof, number)).empty();
 }
 
 MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& numbers)
@@ -53,8 +55,7 @@ MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& 
     throw MissingTool("yosys-abc is not installed; it comes with the package yosys");
   std::vector<Mutant> mutants;
   for (const int number : numbers)
-    if (!is_proved_equal(proof, number))
-      mutants.push_back(proof.netlist.mutants.at(static_cast<std::size_t>(number) - 1));
+    if (!is_proved_equal(proof, number)) mutants.push_back(mutant_of(proof, number));
   if (mutants.empty() || proof.limit.count() == 0) return;
   circuits_ = mutant_circuits(proof, mutants);
   read_map(circuits_->miter_map);

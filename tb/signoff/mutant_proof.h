@@ -25,7 +25,7 @@ struct MutantProof {
   std::string why;  ///< it is undecided
 };
 
-/// Whether that mutant is in the cache as one that was proved equal.
+/// Whether that mutant was proved equal before, as the file or the cache tells.
 bool is_proved_equal(const ProofOfMutants& proof, int number);
 
 /// The proofs of some mutants: yosys makes circuits with all of them, and yosys-abc is asked with

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tb/base/forked.h"
@@ -31,6 +32,15 @@ PortTraffic ports_in(const UnitUnderTest& dut, const std::string& work) {
   return read_traffic(file);
 }
 
+ProofOfMutants proof_of(const SignoffUnit& unit, const SignoffOptions& options,
+                        const MutantNetlist& netlist, const PortTraffic& ports,
+                        const LegalInputs& legal) {
+  ProofOfMutants proof{netlist, ports, legal, std::chrono::seconds(options.proof_seconds)};
+  proof.again = options.prove_again;
+  if (!proof.again) proof.proved = read_proved(known_proofs(unit.dut), circuit_key(proof));
+  return proof;
+}
+
 }  // namespace
 
 MutantSurvivors::MutantSurvivors(const SignoffUnit& unit, const SignoffOptions& options,
@@ -43,7 +53,7 @@ MutantSurvivors::MutantSurvivors(const SignoffUnit& unit, const SignoffOptions& 
       ports_(ports_in(unit.dut, work)),
       legal_(twins_of(engine_of(unit.dut.k)).inputs(unit.dut.k, unit.dut.scene, unit.dut.unit)),
       streams_(plugin, ports_, legal_),
-      proof_{netlist, ports_, legal_, std::chrono::seconds(options.proof_seconds)},
+      proof_(proof_of(unit, options, netlist, ports_, legal_)),
       asked_with_(content_key({netlist.asserted, circuit_commands(proof_)})) {}
 
 bool MutantSurvivors::is_open(const MutantFate& fate) const {
@@ -91,6 +101,22 @@ std::string MutantSurvivors::write_episodes(const std::map<int, MutantFate>& fat
   const std::string file = fmt::format("{}/{}.stream", options_.folder, name);
   write_text(file, text);
   return file;
+}
+
+std::size_t MutantSurvivors::kept_proofs(const std::map<int, MutantFate>& fates) const {
+  return static_cast<std::size_t>(std::count_if(fates.begin(), fates.end(), [&](const auto& fate) {
+    return fate.second.state == MutantFate::Equal &&
+           proof_.proved.count(mutant(fate.first).name) != 0;
+  }));
+}
+
+void MutantSurvivors::write_proved(const std::map<int, MutantFate>& fates) const {
+  const std::string circuit = circuit_key(proof_);
+  MutantNames names = read_proved(known_proofs(unit_.dut), circuit);
+  for (const auto& [number, fate] : fates)
+    if (fate.state == MutantFate::Equal) names.insert(mutant(number).name);
+  const std::string& name = unit_.dut.unit;
+  write_text(fmt::format("{}/{}.proved", options_.folder, name), proved_text(name, circuit, names));
 }
 
 MutantFate MutantSurvivors::survivor(int number, const MutantProofs& proofs) const {

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -42,6 +43,11 @@ class MutantSurvivors {
   /// The file with few episodes that find all mutants which have a stream of their own, behind
   /// those that are known already; "" of none. Throws UsageError, OutputError.
   std::string write_episodes(const std::map<int, MutantFate>& fates) const;
+  /// How many of those that are equal were proved so before, as a file in the tree tells.
+  std::size_t kept_proofs(const std::map<int, MutantFate>& fates) const;
+  /// The file with the names of all that are proved equal, behind those that were known of this
+  /// circuit. Throws OutputError.
+  void write_proved(const std::map<int, MutantFate>& fates) const;
 
  private:
   const Mutant& mutant(int number) const {

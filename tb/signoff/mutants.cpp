@@ -34,7 +34,8 @@ std::string plugin_of(const std::string& unit, const std::string& verilog) {
 
 std::string key_of(const MutantNetlist& netlist, const std::vector<RecordedStream>& streams,
                    const SignoffOptions& options) {
-  std::vector<std::string> parts = {netlist.verilog, std::to_string(options.within)};
+  std::vector<std::string> parts = {netlist.verilog, std::to_string(options.within),
+                                    std::to_string(options.prove_again)};
   for (const RecordedStream& stream : streams)
     for (const std::string& file : stream.parts) parts.push_back(file_key(file));
   return content_key(parts);
@@ -102,9 +103,13 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
       options.progress(fmt::format("{} of {} survivors", ++done, open.size()));
     });
   }
+  survivors.write_proved(file.fates());
   const std::string episodes = survivors.write_episodes(file.fates());
   CheckResult result =
       judge_mutants(name, netlist, file.fates(), options, {episodes, known_streams(unit.dut)});
+  if (const std::size_t kept = survivors.kept_proofs(file.fates()); kept > 0)
+    result.summary += fmt::format("; {} of the proofs are kept ones", kept);
+  result.detail["kept_proofs"] = survivors.kept_proofs(file.fates());
   if (options.shrink && streams.front().name == RandomStream) {
     const MutantSizes sizes =
         mutant_sizes(survivors.streams(), streams.front(), file.fates(), options.jobs,

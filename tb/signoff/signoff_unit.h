@@ -27,6 +27,7 @@ struct SignoffOptions {
   long long random = 100'000;  ///< clocks
   long long seed = 1;          ///< of the stimulus
   int proof_seconds = 60;      ///< for each mutant
+  bool prove_again = false;    ///< what was proved before, too
   /// Clocks of random traffic; a mutant that is found later gets a stream of its own. 0: none does.
   long long within = 0;
   bool shrink = false;  ///< what random traffic finds of mutants, and tell the sizes

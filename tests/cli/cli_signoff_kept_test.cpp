@@ -62,6 +62,25 @@ TEST_F(CliSignoffKeptTest, WhatWasAskedWithOtherAssertionsIsAskedAgain) {
   EXPECT_EQ(detail("5000"), whole);
 }
 
+TEST_F(CliSignoffKeptTest, AProofInTheTreeIsTakenWithoutAsking) {
+  Words all = words("5000");
+  for (const char* word : {"--json", "--prove", "0"}) all.emplace_back(word);
+  const auto detail_of = [&](int code) {
+    Program run(folder.path(), all);
+    EXPECT_EQ(run.wait(), code) << run.err() << run.out();
+    return run.json()["results"][0]["detail"];
+  };
+  const Json kept = detail_of(0);
+  EXPECT_GT(kept["equal"].get<int>(), 0);
+  EXPECT_EQ(kept["kept_proofs"], kept["equal"]);
+  EXPECT_EQ(read_file(folder / "racebeam_signoff/stacks.proved"),
+            read_file(RACEBEAM_SOURCE_DIR "/tb/signoff/proved/beam/stacks.proved"));
+  all.emplace_back("--prove-again");
+  const Json again = detail_of(1);
+  EXPECT_EQ(again["kept_proofs"], 0);
+  EXPECT_EQ(again["undecided"], kept["equal"]);
+}
+
 TEST_F(CliSignoffKeptTest, AnInterruptEndsItAtOnceAndLeavesNobody) {
   Program run(folder.path(), words("500000000"));
   for (int n = 0; n < 6000 && !(fs::exists(folder / "racebeam_signoff") && run.children() > 0); ++n)

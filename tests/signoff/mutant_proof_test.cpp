@@ -42,6 +42,13 @@ class Mine {
     return MutantProofs({netlist_, ports_, legal, std::chrono::seconds(10)}, {number})
         .prove(number);
   }
+  /// What is told of one that is known as equal already.
+  MutantProof prove_known(int number, bool again) const {
+    const LegalInputs any({});
+    const MutantNames known = {netlist_.mutants.at(static_cast<std::size_t>(number) - 1).name};
+    return MutantProofs({netlist_, ports_, any, std::chrono::seconds(10), known, again}, {number})
+        .prove(number);
+  }
 
  private:
   const ScratchFolder folder_;
@@ -79,6 +86,11 @@ TEST_F(MutantProofTest, WhatCanBeSeenHasACounterexample) {
 TEST_F(MutantProofTest, WhatIsSeenOnlyWithInputsThatNoChipHasIsEqual) {
   const LegalInputs odd({{"op_i", [](std::uint64_t raw) { return raw | 1; }}});
   EXPECT_EQ(mine_.prove(Seen, odd).verdict, MutantProof::Equal) << "op_i is never 2";
+}
+
+TEST_F(MutantProofTest, WhatIsKnownAsEqualIsAskedOnlyIfItHasToBe) {
+  EXPECT_EQ(mine_.prove_known(Seen, false).verdict, MutantProof::Equal);
+  EXPECT_EQ(mine_.prove_known(Seen, true).verdict, MutantProof::Counterexample);
 }
 
 TEST(LargeMemoryTest, IsTheSameWhereTheSameIsWrittenToIt) {
