@@ -81,6 +81,39 @@ TEST_F(CliSignoffKeptTest, AProofInTheTreeIsTakenWithoutAsking) {
   EXPECT_EQ(again["undecided"], kept["equal"]);
 }
 
+std::string circuit_line(const std::string& file) {
+  const std::string text = read_file(file), begin = "\ncircuit ";
+  const auto at = text.find(begin);
+  return at == std::string::npos ? "" : text.substr(at, text.find('\n', at + 1) - at);
+}
+
+class LongKeptProofsTest : public testing::Test {};
+
+// Units with a table have proofs of those of a scene, see docs/signoff.md.
+TEST_F(LongKeptProofsTest, AreOfTheCircuitsThatOurUnitsHaveToday) {
+  const std::string source = RACEBEAM_SOURCE_DIR;
+  int files = 0;
+  for (const auto& file : fs::recursive_directory_iterator(source + "/tb/signoff/proved")) {
+    if (!file.is_regular_file()) continue;
+    ++files;
+    const std::string unit = file.path().stem(), kept = circuit_line(file.path());
+    std::string today;
+    for (const std::string& scene : {std::string("demo"), source + "/tests/signoff/tables.toml",
+                                     source + "/tests/museum/sphere.toml"}) {
+      const ScratchFolder folder;
+      Program run(folder.path(),
+                  {"signoff", unit, "--engine", file.path().parent_path().filename(), "--scene",
+                   scene, "--only", "mutants", "--mutants", "1", "--random", "10", "--prove", "0"});
+      run.wait();
+      const std::string written = folder / ("racebeam_signoff/" + unit + ".proved");
+      today = fs::exists(written) ? circuit_line(written) : "none";
+      if (today == kept) break;
+    }
+    EXPECT_EQ(today, kept) << file.path() << ": racebeam signoff " << unit << " writes it anew";
+  }
+  EXPECT_GT(files, 0);
+}
+
 TEST_F(CliSignoffKeptTest, AnInterruptEndsItAtOnceAndLeavesNobody) {
   Program run(folder.path(), words("500000000"));
   for (int n = 0; n < 6000 && !(fs::exists(folder / "racebeam_signoff") && run.children() > 0); ++n)
