@@ -167,6 +167,12 @@ module block_shade #(
   assign {direction_x_o, direction_y_o, direction_z_o} =
       done_o ? block_pkg::difference_of(dir, scaled) : '0;
   assign {colour_red_o, colour_green_o, colour_blue_o} = colour_q;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i)
+    if (rst_ni && step_q > StepDiffuse)
+      light_is_not_below_0 : assert (!diffuse_q[Bits-1]);
+`endif
 endmodule
 
 `default_nettype wire
