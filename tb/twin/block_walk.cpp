@@ -93,7 +93,7 @@ void BlockWalk::choose_block() {
 }
 
 void BlockWalk::begin_misses() {
-  constexpr int Blocks = 16, Spheres[] = {4, 16, BlockEntries};
+  constexpr int Blocks = 32, Spheres[] = {4, 16, BlockEntries, BlockEntries};
   misses_ = Blocks;
   poses_.resize(static_cast<std::size_t>(Spheres[below(std::size(Spheres))]));
   for (std::size_t n = 0; n < poses_.size(); ++n) {

@@ -26,7 +26,7 @@ namespace racebeam {
 
 class BlockWalk {
  public:
-  static constexpr std::uint64_t Clocks = 2'000'000;
+  static constexpr std::uint64_t Clocks = 4'000'000;
 
   /// For block_core on `bench`; the same seed makes the same traffic.
   BlockWalk(UnitBench& bench, const knob_values& k, unsigned seed);
