@@ -14,35 +14,10 @@
 
 namespace racebeam {
 
-namespace {
-
-/// The inputs of all clocks up to one, it included.
-std::vector<std::vector<std::uint64_t>> rows_to(const PortTraffic& traffic, std::uint64_t clock) {
-  std::vector<std::vector<std::uint64_t>> rows;
-  for (std::uint64_t n = 0; n <= clock && n < traffic.clocks(); ++n) {
-    rows.emplace_back();
-    for (std::size_t port = 0; port < traffic.ports.size(); ++port)
-      if (traffic.ports[port].input) rows.back().push_back(traffic.row(n)[port]);
-  }
-  return rows;
-}
-
-PortTraffic whole(const RecordedStream& stream) {
-  PortTraffic all;
-  for (const std::string& file : stream.parts) {
-    PortTraffic part = read_traffic(file);
-    if (all.ports.empty()) all = std::move(part);
-    else all.values.insert(all.values.end(), part.values.begin(), part.values.end());
-  }
-  return all;
-}
-
-}  // namespace
-
 MutantSizes mutant_sizes(const MutantStreams& streams, const RecordedStream& random,
                          const std::map<int, MutantFate>& fates, int jobs,
                          const std::function<void(std::size_t done, std::size_t of)>& told) {
-  const PortTraffic traffic = whole(random);
+  const PortTraffic traffic = whole_traffic(random);
   std::vector<const MutantFate*> found;
   for (const auto& [number, fate] : fates)
     if (fate.state == MutantFate::Found && fate.stream == random.name && !fate.port.empty())
@@ -55,7 +30,8 @@ MutantSizes mutant_sizes(const MutantStreams& streams, const RecordedStream& ran
         for (std::size_t n = static_cast<std::size_t>(share); n < found.size();
              n += static_cast<std::size_t>(jobs)) {
           if (interrupted()) throw Interrupted();
-          const auto small = streams.smallest(found[n]->number, rows_to(traffic, found[n]->clock));
+          const auto small =
+              streams.smallest(found[n]->number, input_rows(traffic, found[n]->clock));
           say(small ? fmt::format("{} {}", small->stream.clocks() - 1, small->stream.moving())
                     : "none");
         }

@@ -63,17 +63,18 @@ bool MutantSurvivors::is_open(const MutantFate& fate) const {
   return fate.state == MutantFate::Alive;
 }
 
-void MutantSurvivors::decide(const std::vector<MutantFate>& fates,
+void MutantSurvivors::decide(const std::vector<MutantFate>& fates, const RecordedStream& random,
                              const std::function<void(const MutantFate&)>& take) const {
   std::vector<int> numbers;
   for (const MutantFate& fate : fates) numbers.push_back(fate.number);
   const MutantProofs proofs(proof_, numbers);
+  const PortTraffic traffic = whole_traffic(random);
   share_work(
       options_.jobs,
       [&](int share, const SayLine& say) {
         for (std::size_t n = 0; n < fates.size() && !interrupted(); ++n)
           if (static_cast<int>(n % static_cast<std::size_t>(options_.jobs)) == share)
-            say(line_of(fates[n].state == MutantFate::Found ? late(fates[n], proofs)
+            say(line_of(fates[n].state == MutantFate::Found ? late(fates[n], traffic, proofs)
                                                             : survivor(fates[n].number, proofs)));
       },
       [&](const std::string& line) { take(fate_of(line)); });
@@ -90,8 +91,8 @@ std::string MutantSurvivors::write_episodes(const std::map<int, MutantFate>& fat
   std::string text =
       std::filesystem::exists(known)
           ? whole_file(known)
-          : stream_head(name, {"Found by yosys-abc for mistakes that random traffic finds late "
-                               "or not at all: racebeam signoff " +
+          : stream_head(name, {"For mistakes that random traffic finds late or not at all: "
+                               "racebeam signoff " +
                                name});
   for (const std::size_t n : covering_streams(streams_, escaped)) {
     const std::string one = episode_text(escaped[n].stream, mutant(escaped[n].number).name);
@@ -128,11 +129,18 @@ MutantFate MutantSurvivors::survivor(int number, const MutantProofs& proofs) con
   }
 }
 
-MutantFate MutantSurvivors::late(const MutantFate& fate, const MutantProofs& proofs) const {
+MutantFate MutantSurvivors::late(const MutantFate& fate, const PortTraffic& random,
+                                 const MutantProofs& proofs) const {
+  const auto is_sooner = [&](const MutantFate& own) {
+    return own.state == MutantFate::Escaped &&
+           own.clock < static_cast<std::uint64_t>(options_.within);
+  };
+  const MutantFate small = escaped(fate.number, input_rows(random, fate.clock));
+  if (is_sooner(small)) return small;
   const MutantProof proof = proofs.refute(fate.number);
   if (proof.verdict != MutantProof::Counterexample) return fate;
   const MutantFate own = escaped(fate.number, proof.inputs);
-  return own.state == MutantFate::Escaped ? own : fate;
+  return is_sooner(own) ? own : fate;
 }
 
 MutantFate MutantSurvivors::undecided(int number, const std::string& why) const {

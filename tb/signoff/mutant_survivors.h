@@ -17,6 +17,7 @@
 #include "tb/signoff/mutant_proof.h"
 #include "tb/signoff/mutant_streams.h"
 #include "tb/signoff/signoff_unit.h"
+#include "tb/signoff/unit_stimulus.h"
 #include "tb/twin/legal_inputs.h"
 #include "tb/twin/port_traffic.h"
 
@@ -35,9 +36,9 @@ class MutantSurvivors {
   bool is_known_equal(int number) const { return is_proved_equal(proof_, number); }
   /// Whether it has not been asked yet for so long, and with these assertions.
   bool is_open(const MutantFate& fate) const;
-  /// `fates`: of each what is known. One that is found late stays so, unless a stream of its own
-  /// finds it. Throws RtlError, MissingTool, Interrupted, OutputError.
-  void decide(const std::vector<MutantFate>& fates,
+  /// `fates`: of each what is known. One that `random` finds late stays so, unless a stream of its
+  /// own finds it. Throws RtlError, MissingTool, Interrupted, OutputError.
+  void decide(const std::vector<MutantFate>& fates, const RecordedStream& random,
               const std::function<void(const MutantFate&)>& take) const;
   const MutantStreams& streams() const { return streams_; }
   /// The file with few episodes that find all mutants which have a stream of their own, behind
@@ -54,7 +55,8 @@ class MutantSurvivors {
     return netlist_.mutants.at(static_cast<std::size_t>(number) - 1);
   }
   MutantFate survivor(int number, const MutantProofs& proofs) const;
-  MutantFate late(const MutantFate& fate, const MutantProofs& proofs) const;
+  MutantFate late(const MutantFate& fate, const PortTraffic& random,
+                  const MutantProofs& proofs) const;
   MutantFate undecided(int number, const std::string& why) const;
   MutantFate escaped(int number, const std::vector<std::vector<std::uint64_t>>& inputs) const;
 

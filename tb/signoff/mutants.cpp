@@ -98,7 +98,7 @@ CheckResult sign_off_mutants(const SignoffUnit& unit, const SignoffOptions& opti
       open.push_back(fate);
   if (!open.empty()) {
     done = 0;
-    survivors.decide(open, [&](const MutantFate& fate) {
+    survivors.decide(open, streams.front(), [&](const MutantFate& fate) {
       file.add(fate);
       options.progress(fmt::format("{} of {} survivors", ++done, open.size()));
     });

@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "sc/base/engine.h"
 #include "tb/base/errors.h"
@@ -106,6 +107,27 @@ std::vector<RecordedStream> record_stimulus(const UnitUnderTest& dut, std::uint6
         },
         folder));
   return streams;
+}
+
+PortTraffic whole_traffic(const RecordedStream& stream) {
+  PortTraffic all;
+  for (const std::string& file : stream.parts) {
+    PortTraffic part = read_traffic(file);
+    if (all.ports.empty()) all = std::move(part);
+    else all.values.insert(all.values.end(), part.values.begin(), part.values.end());
+  }
+  return all;
+}
+
+std::vector<std::vector<std::uint64_t>> input_rows(const PortTraffic& traffic,
+                                                   std::uint64_t clock) {
+  std::vector<std::vector<std::uint64_t>> rows;
+  for (std::uint64_t n = 0; n <= clock && n < traffic.clocks(); ++n) {
+    rows.emplace_back();
+    for (std::size_t port = 0; port < traffic.ports.size(); ++port)
+      if (traffic.ports[port].input) rows.back().push_back(traffic.row(n)[port]);
+  }
+  return rows;
 }
 
 PortTraffic model_answers(const UnitUnderTest& dut, const PortStream& stream) {

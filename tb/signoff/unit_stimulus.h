@@ -32,6 +32,11 @@ struct RecordedStream {
 std::vector<RecordedStream> record_stimulus(const UnitUnderTest& dut, std::uint64_t random,
                                             unsigned seed, const std::string& folder);
 
+/// All clocks of a stream.
+PortTraffic whole_traffic(const RecordedStream& stream);
+/// The inputs of all clocks up to one, it included: a row for each clock.
+std::vector<std::vector<std::uint64_t>> input_rows(const PortTraffic& traffic, std::uint64_t clock);
+
 /// What the model says to the inputs of a stream. To be called as record_stimulus().
 PortTraffic model_answers(const UnitUnderTest& dut, const PortStream& stream);
 
