@@ -24,8 +24,8 @@ void FramesWalk::next() {
 // few for that.
 void FrameWalk::next() {
   constexpr int LongestSpeed = 6000, Speeds = 8;
-  bench_["rst_ni"].drive(begun_);
-  begun_ = true;
+  bench_["rst_ni"].drive(clock_ != 0 && clock_ != SecondReset);
+  ++clock_;
   const std::uint64_t line = bench_["y_o"].value();
   if (line == LastLine - 1) return bench_["speed_i"].drive(0);
   if (line == LastLine) return bench_["speed_i"].drive(Speeds - 1);
