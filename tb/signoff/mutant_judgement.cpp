@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/signoff/mutant_sizes.h"
+#include "tb/signoff/mutant_totals.h"
 #include "tb/signoff/unit_stimulus.h"
 
 namespace racebeam {
@@ -153,6 +154,7 @@ CheckResult judge_mutants(const std::string& unit, const MutantNetlist& netlist,
       {"by_walk", all.walked},
       {"clocks",
        {{"median", clocks(50)}, {"p90", clocks(90)}, {"p99", clocks(99)}, {"most", clocks(100)}}},
+      {"found_within", found_within(all.clocks)},
       {"survivors", all.survivors}};
   if (all.faults.size() > Told) {
     const std::size_t more = all.faults.size() - Told;

@@ -7,6 +7,7 @@
 #include "tb/base/version.h"
 #include "tb/report/html.h"
 #include "tb/report/page_files.h"
+#include "tb/signoff/mutant_totals.h"
 #include "tb/signoff/signoff_report.h"
 #include "tb/signoff/signoff_unit.h"
 
@@ -51,7 +52,8 @@ std::string overview(const SignoffReport& report) {
                verdict_cell(result),
                {html(result.summary), "", false, false, true},
                {fmt::format("{:.1f}", result.seconds), "", true}});
-  return table.text();
+  const std::string all = totals_text(mutant_totals(report.results));
+  return table.text() + (all.empty() ? "" : "<p>Mutants of all units: " + html(all) + ".</p>\n");
 }
 
 /// A plain figure of a check; those that are lists have a table of their own.

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "tb/signoff/mutant_totals.h"
+
 namespace racebeam {
 
 namespace {
@@ -31,6 +33,8 @@ std::string signoff_text(const SignoffReport& report) {
   for (const CheckResult& result : report.results)
     text += fmt::format("{:<{}}  {:<{}}  {:<9}  {:>7.1f}  {}\n", result.unit, unit, result.check,
                         check, Words[result.verdict], result.seconds, result.summary);
+  if (const std::string all = totals_text(mutant_totals(report.results)); !all.empty())
+    text += "\nmutants of all units: " + all + "\n";
   for (const CheckResult& result : report.results)
     for (const std::string& fault : result.faults)
       text += fmt::format("\n{} {}: {}\n", result.unit, result.check, fault);
@@ -46,6 +50,7 @@ std::string signoff_json(const SignoffReport& report) {
                                 {"engine", report.engine},
                                 {"green", report.green()},
                                 {"whole", report.whole},
+                                {"mutants", mutant_totals(report.results)},
                                 {"results", results}}
              .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
          "\n";

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: racebeam contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/signoff/mutant_totals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace racebeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t FirstBound = 10, LastBound = 100'000;
+
+/// Rounded down: 98.99 is not 99.
+double tenths_of_percent(std::int64_t part, std::int64_t whole) {
+  return static_cast<double>(1000 * part / std::max<std::int64_t>(whole, 1)) / 10;
+}
+
+}  // namespace
+
+Json found_within(const std::vector<std::uint64_t>& clocks) {
+  Json counts = Json::object();
+  for (std::uint64_t bound = FirstBound; bound <= LastBound; bound *= 10)
+    counts[std::to_string(bound)] =
+        std::count_if(clocks.begin(), clocks.end(), [&](std::uint64_t n) { return n <= bound; });
+  return counts;
+}
+
+Json mutant_totals(const std::vector<CheckResult>& results) {
+  Json totals = {{"units", 0},     {"mutants", 0}, {"found", 0},   {"equal", 0},  {"not_found", 0},
+                 {"undecided", 0}, {"waived", 0},  {"by_walk", 0}, {"random", 0}, {"within", {}}};
+  const auto add = [](Json& to, const Json& count) {
+    to = (to.is_null() ? 0 : to.get<std::int64_t>()) + count.get<std::int64_t>();
+  };
+  for (const CheckResult& result : results) {
+    if (result.check != "mutants" || !result.detail.contains("found_within")) continue;
+    add(totals["units"], 1);
+    for (const char* name :
+         {"mutants", "found", "equal", "not_found", "undecided", "waived", "by_walk"})
+      add(totals[name], result.detail.at(name));
+    add(totals["random"],
+        result.detail.at("found").get<int>() - result.detail.at("by_walk").get<int>());
+    for (const auto& [bound, count] : result.detail.at("found_within").items())
+      add(totals["within"][bound], count);
+  }
+  return totals["units"] < 2 ? Json() : totals;
+}
+
+std::string totals_text(const Json& totals) {
+  if (totals.is_null()) return "";
+  const auto count = [&](const char* name) { return totals.at(name).get<std::int64_t>(); };
+  std::string text = fmt::format("{} of {} found, {} proved equal", count("found"),
+                                 count("mutants"), count("equal"));
+  if (count("not_found") > 0) text += fmt::format(", {} not found", count("not_found"));
+  if (count("undecided") > 0) text += fmt::format(", {} undecided", count("undecided"));
+  if (count("waived") > 0) text += fmt::format(", {} of them waived", count("waived"));
+  const auto share = [&](const char* bound) {
+    return tenths_of_percent(totals.at("within").at(bound), count("random"));
+  };
+  return text +
+         fmt::format("; by random traffic {}, {:.1f} % within 100 clocks, {:.1f} % within 10000",
+                     count("random"), share("100"), share("10000"));
+}
+
+}  // namespace racebeam
