@@ -233,8 +233,8 @@ module voxel_builder #(
         assert (x_low_q < x_high_q && 32'(x_high_q) <= (SizeX + VoxelX - 1) / VoxelX);
       y_is_in_the_world :
         assert (y_low_q < y_high_q && 32'(y_high_q) <= (SizeY + VoxelY - 1) / VoxelY);
-      x_is_in_the_rectangle : assert (x_begin <= x_q && x_q < x_end);
-      y_is_in_the_rectangle : assert (y_q < y_end);
+      x_is_in_the_rectangle : assert (x_begin <= x_q && x_q < x_end && 32'(x_q) < SizeX);
+      y_is_in_the_rectangle : assert (y_q < y_end && 32'(y_q) < SizeY);
       z_is_in_the_world : assert (z_q <= z_top);
       no_column_is_there_yet : assert (state_q != voxel_pkg::VoxelBuilderClear || columns_q == '0);
       columns_are_those_before : assert (!fills || 32'(columns_q) <= 32'(y_q) * SizeX + 32'(x_q));
