@@ -1,7 +1,7 @@
 // pwm_sound: 24 voices of music, mixed one after the other, as one PWM pin.
 // Contract: sc/beam/pwm_sound.h
 //
-// A voice is a multicycle path from slot, phase, frame and y to the accumulator: see sound_voice.
+// A voice is a multicycle path from slot, phase, frame and y to the accumulator: sound_voice.sdc.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0

@@ -462,6 +462,15 @@ module racebeam_top #(
       .y_i(y),
       .frame_i(frame)
   );
+
+`ifndef SYNTHESIS
+  // The exception of timing in sound_voice.sdc. The phase changes in clocks 0 and 1 of a slot.
+  wire logic [10+5+racebeam_pkg::FrameBits:0] given = {x2[10:5], y, frame};
+  always_ff @(posedge clk_i)
+    if (rst_ni && ClocksPerPixel == 2 && x2[4:0] == 5'd29)
+      voice_has_settled : assert (
+          given == $past(given, 1) && given == $past(given, 2) && given == $past(given, 3));
+`endif
 endmodule
 
 `default_nettype wire

@@ -3,7 +3,7 @@
 //
 // Combinational, with eight products one behind the other. In pwm_sound the inputs are stable from
 // the first clock of a slot and the value is taken near its end, some 20 clocks later at the
-// highest speed: a multicycle path. What is behind the tables is functions, so that a simulator
+// highest speed: sound_voice.sdc says so. What is behind the tables is functions: a simulator
 // computes a voice only in the clock that takes it; in hardware taken_i is the last gate. Tones and
 // drums share it: both are a sine; a tone's turns evenly and is modulated, a drum's slows down.
 //

@@ -15,8 +15,9 @@
 //         clock 0 of slot 24 (x2 = -192 and 608) the PWM counter loads the sum; pwm_o follows one
 //         clock later. The phase advances in clocks 0 (low 10 bits) and 1 (high 9) of slot 24.
 // Comb    none.
-// Stall   none. frame_i and y_i hold from clock 29 to clock 31 of a slot (they change between
-//         lines). The slot clocks 0, 1, 29, 31 occur at every speed.
+// Stall   none. Slot, frame_i and y_i hold from three clocks before clock 29 to clock 31 of a slot
+//         (the last two change between lines): a voice is a path of four clocks, see
+//         rtl/beam/sound_voice.sdc. The slot clocks 0, 1, 29, 31 occur at every speed.
 // Reset   phase, accumulator and carry are 0; the PWM counter is not reset (0 at power-up: pin 1).
 // Knobs   none; right only at the default clocks_per_pixel, 2, where x2 counts clocks.
 // Twin    rtl/beam/pwm_sound.sv

@@ -22,7 +22,7 @@ std::vector<UnitArea> areas_of(const engine& of, const std::vector<std::string>&
   std::vector<UnitArea> areas;
   for (const std::string& unit : units.empty() ? known : units) {
     const GateNetlist netlist = maker.netlist(unit, {Osu018Gates, ""});
-    areas.push_back({unit, netlist, gate_timing(unit, netlist)});
+    areas.push_back({unit, netlist, gate_timing(of, unit, netlist)});
   }
   return areas;
 }
@@ -30,10 +30,14 @@ std::vector<UnitArea> areas_of(const engine& of, const std::vector<std::string>&
 std::string area_table(const std::vector<UnitArea>& areas) {
   std::string text = fmt::format("{:<18} {:>10} {:>6} {:>9} {:>9}  {}\n", "unit", "flip-flops",
                                  "cells", "um2", "slack ns", "longest path");
-  for (const UnitArea& one : areas)
-    text += fmt::format("{:<18} {:>10} {:>6} {:>9.0f} {:>9.2f}  {} to {}\n", one.unit,
+  for (const UnitArea& one : areas) {
+    text += fmt::format("{:<18} {:>10} {:>6} {:>9.0f} {:>9.2f}  {} to {}", one.unit,
                         one.netlist.flip_flops, one.netlist.cells, one.netlist.area,
                         one.timing.slack(), one.timing.from, one.timing.to);
+    for (const std::string& module : one.timing.excepted)
+      text += fmt::format(", with the exceptions in {}.sdc", module);
+    text += '\n';
+  }
   return text;
 }
 
@@ -47,7 +51,8 @@ std::string area_json(const engine& of, const std::vector<UnitArea>& areas) {
                     {"longest_path", one.timing.ns},
                     {"slack", one.timing.slack()},
                     {"from", one.timing.from},
-                    {"to", one.timing.to}});
+                    {"to", one.timing.to},
+                    {"excepted", one.timing.excepted}});
   return nlohmann::ordered_json{
              {"schema", "racebeam-areas"}, {"version", 1}, {"engine", of.name}, {"units", rows}}
              .dump(2) +

@@ -121,17 +121,20 @@ class GatesCheck {
     detail["flip_flops"] = netlist.flip_flops;
     detail["cells"] = netlist.cells;
     detail["area"] = netlist.area;
-    const GateTiming timing = gate_timing(dut_.unit, netlist);
+    const GateTiming timing = gate_timing(engine_of(dut_.k), dut_.unit, netlist);
     detail["longest_path"] = timing.ns;
     detail["slack"] = timing.slack();
     detail["from"] = timing.from;
     detail["to"] = timing.to;
     if (timing.slack() < options_.least_slack)
       end(CheckResult::Bad,
-          fmt::format("slack {:.2f} ns at 50.4 MHz from {} to {}, less than {:g}", timing.slack(),
-                      timing.from, timing.to, options_.least_slack));
+          fmt::format("slack {:.2f} ns at {:.1f} MHz from {} to {}, less than {:g}", timing.slack(),
+                      timing.megahertz(), timing.from, timing.to, options_.least_slack));
+    detail["excepted"] = timing.excepted;
     say(fmt::format("{} flip-flops, {} cells, {:g} um2, slack {:.2f} ns", netlist.flip_flops,
                     netlist.cells, netlist.area, timing.slack()));
+    for (const std::string& module : timing.excepted)
+      said_ += fmt::format(" with the exceptions in {}.sdc", module);
   }
 
   const UnitUnderTest& dut_;

@@ -49,6 +49,7 @@ std::string key_of(const RtlSources& rtl, const std::string& kind) {
   for (const std::string& file : read_rtl_syntax(rtl).files) {
     parts.push_back(fs::path(file).filename());
     parts.push_back(file_key(file));
+    if (fs::exists(fs::path(file).replace_extension(".sdc"))) parts.emplace_back("stays a module");
   }
   return content_key(parts);
 }

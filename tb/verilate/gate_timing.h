@@ -5,24 +5,27 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "sc/base/constants.h"
+#include "sc/base/engine.h"
 #include "tb/verilate/gate_netlist.h"
 
 namespace racebeam {
 
-/// What the clock of the chips leaves for a path: 50.4 MHz.
-constexpr double ClockNanoseconds = 1e9 / (2 * PixelClockHz);
-
 struct GateTiming {
-  double ns;  ///< of the longest path from a register or input pin to a register or output pin
+  double ns;      ///< of the longest path from a register or input pin to a register or output pin
+  double period;  ///< ns that the engine's clock leaves for it
   std::string from, to;
+  std::vector<std::string> excepted;  ///< modules with exceptions, MODULE.sdc beside their RTL
 
-  double slack() const { return ClockNanoseconds - ns; }
+  double slack() const { return period - ns; }
+  double megahertz() const { return 1000 / period; }
 };
 
-/// Of a netlist of `unit` in osu018. A netlist with a cell that the library has not is no faster
-/// for that: throws RtlError with what OpenSTA says, MissingTool, Interrupted.
-GateTiming gate_timing(const std::string& unit, const GateNetlist& netlist);
+/// Of a netlist of `unit` in osu018, for the clock of `of` with its standard knobs. An excepted
+/// path, of several clocks, is as long as what it leaves for the last of them. A netlist with a
+/// cell that the library has not is no faster for that: throws RtlError with what OpenSTA says,
+/// MissingTool, Interrupted.
+GateTiming gate_timing(const engine& of, const std::string& unit, const GateNetlist& netlist);
 
 }  // namespace racebeam

@@ -12,6 +12,7 @@
 #include "tb/base/errors.h"
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
+#include "tb/scene/engines.h"
 #include "tb/verilate/gate_timing.h"
 #include "tb/verilate/rtl_plugin.h"
 #include "tb/verilate/simulated_cells.h"
@@ -59,7 +60,7 @@ endmodule
   }
   static std::string fault(const GateNetlist& netlist) {
     try {
-      return "slack " + std::to_string(gate_timing("counter", netlist).slack());
+      return "slack " + std::to_string(gate_timing(engine_of_unit("stacks"), "counter", netlist).slack());
     } catch (const RtlError& error) {
       return error.what();
     }
@@ -97,9 +98,12 @@ TEST_F(GatesOfACounter, HaveFiguresAndASlack) {
   EXPECT_EQ(netlist.flip_flops, 8);
   EXPECT_GT(netlist.cells, 16);
   EXPECT_GE(netlist.area, netlist.cells * 16) << "of the smallest cell";
-  const GateTiming timing = gate_timing("counter", netlist);
+  const GateTiming timing = gate_timing(engine_of_unit("stacks"), "counter", netlist);
   EXPECT_GT(timing.ns, 0.3);
   EXPECT_NEAR(timing.slack(), 1000 / 50.4 - timing.ns, 1e-6);
+  const GateTiming slower = gate_timing(engine_of_unit("sphere_tracer"), "counter", netlist);
+  EXPECT_NEAR(slower.ns, timing.ns, 0.002);
+  EXPECT_NEAR(slower.slack(), 1000 / 25.2 - slower.ns, 1e-6) << "its clock has half the speed";
 }
 
 // OpenSTA takes each of these, and ends with 0.
