@@ -280,7 +280,7 @@ std::vector<PointFigure> silicon_figures() {
       exact("area", "um2", "cells of osu018, without sound, before layout", "timing"),
       exact("multipliers", "%", "of that area, multipliers mapped alone", "timing"),
       exact("tiles", "tiles", "of Tiny Tapeout, an estimate from the area", "timing"),
-      exact("longest_path", "ns", "in osu018, without wires; 0.4 ns are noise", "timing"),
+      exact("longest_path", "ns", "in osu018, without wires; 0.2 ns are noise", "timing"),
       exact("ice40.flip_flops", "bits", "flip-flops in an iCE40, without sound", "timing"),
       exact("ice40.luts", "LUTs", "of four inputs in an iCE40, without sound", "timing"),
       exact("ice40.clock", "MHz", "of an iCE40 HX8K, placed and routed", "timing"),
