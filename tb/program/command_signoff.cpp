@@ -73,6 +73,7 @@ CheckResult run_check(const SignoffCheck& check, const SignoffUnit& unit,
   } catch (const ChildDied& error) {
     result = undecided(unit.dut.unit, check, error.what());
   }
+  result.engine = engine_of(unit.dut.k).name;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_text(
       fmt::format("{}/{}.{}.json", options.folder, result.unit, check.name),
@@ -87,41 +88,47 @@ std::vector<Waiver> waivers_of(const AskedUnit& one, const Options& options, con
   return own_rtl || !options.waivers.empty() ? options.signoff.waivers : std::vector<Waiver>{};
 }
 
-SignoffReport sign_off(const Options& options, const Run& run,
-                       const std::vector<AskedUnit>& asked) {
-  SignoffReport report{options.scene, run.show.engine().name, options.command, {}, true};
-  std::int64_t all = 0;
-  for (const AskedUnit& one : asked) all += static_cast<std::int64_t>(one.checks.size());
+/// Adds to the report.
+void sign_off(const Options& options, const AskedPart& part, SignoffReport& report) {
+  const Run& run = part.run;
+  std::int64_t all = 0, done = 0;
+  for (const AskedUnit& one : part.units) all += static_cast<std::int64_t>(one.checks.size());
   Progress progress(all, "checks");
   SignoffOptions signoff = options.signoff;
+  signoff.folder = part.folder;
+  make_folder(signoff.folder);
+  const auto add = [&](CheckResult result) {
+    result.engine = run.show.engine().name;
+    report.results.push_back(std::move(result));
+    ++done;
+  };
   try {
-    for (const AskedUnit& one : asked) {
+    for (const AskedUnit& one : part.units) {
       std::optional<SignoffUnit> unit;
       signoff.waivers = waivers_of(one, options, run);
       for (const SignoffCheck* check : one.checks) {
         if (interrupted()) throw Interrupted();
         signoff.progress = [&](const std::string& note) {
-          progress.draw(static_cast<std::int64_t>(report.results.size()), 0,
-                        one.unit + " " + check->name + ": " + note);
+          progress.draw(done, 0, one.unit + " " + check->name + ": " + note);
         };
         signoff.progress("begins");
         if (const std::string missing = missing_tool(*check); !missing.empty()) {
-          report.results.push_back(undecided(one.unit, *check, missing));
+          add(undecided(one.unit, *check, missing));
           continue;
         }
         try {
           if (!unit) unit = unit_of(one, run);
-          report.results.push_back(run_check(*check, *unit, signoff));
+          add(run_check(*check, *unit, signoff));
         } catch (const RtlError& error) {  // it cannot be verilated
-          report.results.push_back(undecided(one.unit, *check, error.what()));
-          report.results.back().verdict = CheckResult::Bad;
+          CheckResult bad = undecided(one.unit, *check, error.what());
+          bad.verdict = CheckResult::Bad;
+          add(std::move(bad));
         }
       }
     }
   } catch (const Interrupted&) {
     report.whole = false;
   }
-  return report;
 }
 
 /// Red before incomplete.
@@ -135,8 +142,7 @@ int exit_code(const SignoffReport& report) {
 }
 
 int run_signoff(Options& options) {
-  const Run run = open_run(options, true);
-  const std::vector<AskedUnit> asked = asked_units(options.units, options.only, run);
+  const std::vector<AskedPart> parts = asked_parts(options, options.only, options.signoff.folder);
   options.signoff.waivers =
       read_waivers(options.waivers.empty() ? own_waivers_file() : options.waivers);
   for (const Waiver& waiver : options.signoff.waivers)
@@ -147,7 +153,11 @@ int run_signoff(Options& options) {
     if (!file.empty()) const OutputFile tried(file);  // it is written after an hour
   make_folder(options.signoff.folder);
   catch_interrupts();
-  const SignoffReport report = sign_off(options, run, asked);
+  const bool one = parts.size() == 1;
+  SignoffReport report{
+      options.scene, one ? parts[0].run.show.engine().name : AllEngines, options.command, {}, true};
+  for (const AskedPart& part : parts)
+    if (report.whole) sign_off(options, part, report);
   write_text(options.page.empty() ? options.signoff.folder + "/signoff.html" : options.page,
              signoff_page(report));
   if (!options.junit.empty()) write_text(options.junit, signoff_junit(report));
@@ -175,7 +185,9 @@ void add_options(const CommandOptions& command, Options& options) {
   command.add_option("--scene", options.scene, "demo, or a scene file")
       .type_name("SCENE")
       .capture_default_str();
-  add_run_options(command, options);
+  add_engine_option(command, options.engine,
+                    "The scene must be for this engine; all: each of them, with all its units");
+  add_set_option(command, options);
   add_number(command, "--mutants", signoff.mutants, "Mutants of each unit, if there are so many",
              is_number_in("--mutants", 1, MostMutants))
       .capture_default_str();

@@ -9,6 +9,8 @@
 
 #include "tb/base/errors.h"
 #include "tb/base/nearest.h"
+#include "tb/scene/engines.h"
+#include "tb/signoff/signoff_report.h"
 #include "tb/twin/twins.h"
 #include "tb/twin/use_option.h"
 #include "tb/verilate/rtl_plugin.h"
@@ -90,6 +92,27 @@ std::vector<AskedUnit> asked_units(const std::vector<std::string>& words,
     all.push_back({unit, file_of(word), whole ? chip_checks : checks});
   }
   return all;
+}
+
+std::vector<AskedPart> asked_parts(const RunOptions& options, const std::vector<std::string>& only,
+                                   const std::string& folder) {
+  const auto part_of = [&](const RunOptions& of, const std::string& in) {
+    const Run run = open_run(of, true);
+    return AskedPart{run, asked_units(of.units, only, run), in};
+  };
+  if (options.engine != AllEngines) return {part_of(options, folder)};
+  if (options.scene != "demo" || !options.assignments.empty())
+    throw UsageError("--engine all is for each engine as it is; leave out --scene and --set");
+  for (const std::string& unit : options.units)
+    if (unit != AllUnits)
+      throw UsageError("--engine all is for all units; name the engine that has " + unit);
+  std::vector<AskedPart> parts;
+  for (const engine* one : engines()) {
+    RunOptions own = options;
+    own.engine = one->name;
+    parts.push_back(part_of(own, folder + "/" + one->name));
+  }
+  return parts;
 }
 
 SignoffUnit unit_of(const AskedUnit& asked, const Run& run) {

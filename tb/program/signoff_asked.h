@@ -22,6 +22,18 @@ struct AskedUnit {
 std::vector<AskedUnit> asked_units(const std::vector<std::string>& words,
                                    const std::vector<std::string>& only, const Run& run);
 
+/// What is asked of one engine.
+struct AskedPart {
+  Run run;
+  std::vector<AskedUnit> units;
+  std::string folder;  ///< for what is found
+};
+
+/// One, or with AllEngines one of each, in a folder of its own. `folder`: for all. Throws
+/// UsageError.
+std::vector<AskedPart> asked_parts(const RunOptions& options, const std::vector<std::string>& only,
+                                   const std::string& folder);
+
 /// Its RTL, verilated if need be. Throws RtlError, UsageError, MissingTool, Interrupted.
 SignoffUnit unit_of(const AskedUnit& asked, const Run& run);
 

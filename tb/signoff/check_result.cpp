@@ -11,14 +11,15 @@ constexpr const char* Verdicts[] = {"good", "bad", "undecided"};
 }  // namespace
 
 nlohmann::ordered_json to_json(const CheckResult& result) {
-  return {
-      {"unit", result.unit},       {"check", result.check},   {"verdict", Verdicts[result.verdict]},
-      {"summary", result.summary}, {"faults", result.faults}, {"detail", result.detail},
-      {"seconds", result.seconds}};
+  return {{"engine", result.engine},   {"unit", result.unit},
+          {"check", result.check},     {"verdict", Verdicts[result.verdict]},
+          {"summary", result.summary}, {"faults", result.faults},
+          {"detail", result.detail},   {"seconds", result.seconds}};
 }
 
 CheckResult check_result_of(const nlohmann::ordered_json& json) {
   CheckResult result;
+  result.engine = json.at("engine");
   result.unit = json.at("unit");
   result.check = json.at("check");
   const std::string verdict = json.at("verdict");

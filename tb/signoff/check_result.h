@@ -20,6 +20,7 @@ struct CheckResult {
   std::vector<std::string> faults;  ///< what is wrong and what to do, a line each; empty if Good
   nlohmann::ordered_json detail;    ///< figures, for the page
   double seconds = 0;
+  std::string engine{};  ///< whose unit it is
 };
 
 nlohmann::ordered_json to_json(const CheckResult& result);

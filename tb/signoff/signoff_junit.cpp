@@ -37,10 +37,10 @@ std::string lines(const std::vector<std::string>& all) {
   return text;
 }
 
-void add_case(xmlNodePtr suite, const CheckResult& result) {
+void add_case(xmlNodePtr suite, const CheckResult& result, const std::string& name) {
   xmlNodePtr node = xmlNewChild(suite, nullptr, xml("testcase"), nullptr);
   set(node, "classname", "racebeam." + plain(result.check));
-  set(node, "name", plain(result.unit));
+  set(node, "name", plain(name));
   set(node, "time", fmt::format("{:.3f}", result.seconds));
   if (result.verdict == CheckResult::Good) return;
   const std::string kind = result.verdict == CheckResult::Bad ? "failure" : "error";
@@ -65,7 +65,7 @@ std::string signoff_junit(const SignoffReport& report) {
     double seconds = 0;
     for (const CheckResult& result : report.results) {
       if (result.check != check) continue;
-      add_case(suite, result);
+      add_case(suite, result, report.name(result));
       ++tests;
       failures += result.verdict == CheckResult::Bad;
       errors += result.verdict == CheckResult::Undecided;

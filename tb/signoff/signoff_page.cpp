@@ -46,7 +46,8 @@ std::string overview(const SignoffReport& report) {
   table.column("what was found");
   table.column("time", "s", "", true);
   for (const CheckResult& result : report.results)
-    table.row({{fmt::format("<a href=\"#{0}-{1}\">{0}</a>", html(result.unit), html(result.check)),
+    table.row({{fmt::format("<a href=\"#{0}-{1}\">{0}</a>", html(report.name(result)),
+                            html(result.check)),
                 "", false, true},
                {html(result.check)},
                verdict_cell(result),
@@ -100,8 +101,8 @@ std::string list_table(const std::string& id, const std::string& name, const Jso
   return table.text();
 }
 
-std::string result_section(const CheckResult& result) {
-  const std::string id = html(result.unit + "-" + result.check);
+std::string result_section(const CheckResult& result, const std::string& name) {
+  const std::string id = html(name + "-" + result.check), title = name + ": " + result.check;
   std::string text = fmt::format("<p><span class=\"{0}\">{0}</span>: {1}.</p>\n",
                                  Words[result.verdict], html(result.summary));
   if (!result.faults.empty()) {
@@ -109,11 +110,11 @@ std::string result_section(const CheckResult& result) {
     for (const std::string& fault : result.faults) text += "<li>" + html(fault) + "</li>\n";
     text += "</ul>\n";
   }
-  if (!result.detail.is_object()) return section(id, result.unit + ": " + result.check, text);
+  if (!result.detail.is_object()) return section(id, title, text);
   text += "<details><summary>Figures</summary>\n<dl>\n" + figures(result.detail) + "</dl>\n";
-  for (const auto& [name, value] : result.detail.items())
-    if (value.is_array() && !value.empty()) text += list_table(id + "-" + html(name), name, value);
-  return section(id, result.unit + ": " + result.check, text + "</details>\n");
+  for (const auto& [list, value] : result.detail.items())
+    if (value.is_array() && !value.empty()) text += list_table(id + "-" + html(list), list, value);
+  return section(id, title, text + "</details>\n");
 }
 
 std::string method(const SignoffReport& report) {
@@ -126,7 +127,8 @@ std::string method(const SignoffReport& report) {
 }  // namespace
 
 std::string signoff_page(const SignoffReport& report) {
-  const std::string title = "Sign-off of " + report.engine;
+  const std::string title =
+      "Sign-off of " + (report.engine == AllEngines ? "all engines" : report.engine);
   const auto bad =
       std::count_if(report.results.begin(), report.results.end(),
                     [](const CheckResult& result) { return result.verdict != CheckResult::Good; });
@@ -144,7 +146,8 @@ std::string signoff_page(const SignoffReport& report) {
   text += fmt::format("<header><h1>{}</h1>\n<p>Scene {}: {}.</p></header>\n<main>\n", html(title),
                       html(report.scene), html(verdict));
   text += section("checks", "All checks", overview(report));
-  for (const CheckResult& result : report.results) text += result_section(result);
+  for (const CheckResult& result : report.results)
+    text += result_section(result, report.name(result));
   text += section("method", "How this was checked", method(report));
   return text + fmt::format(
                     "</main>\n<footer><p>Written by racebeam {}.</p></footer>\n</body>\n"

@@ -22,22 +22,26 @@ bool SignoffReport::green() const {
          });
 }
 
+std::string SignoffReport::name(const CheckResult& result) const {
+  return engine == AllEngines ? result.engine + "/" + result.unit : result.unit;
+}
+
 std::string signoff_text(const SignoffReport& report) {
   std::size_t unit = 4, check = 5;
   for (const CheckResult& result : report.results) {
-    unit = std::max(unit, result.unit.size());
+    unit = std::max(unit, report.name(result).size());
     check = std::max(check, result.check.size());
   }
   std::string text = fmt::format("{:<{}}  {:<{}}  {:<9}  {:>7}  {}\n", "unit", unit, "check", check,
                                  "verdict", "s", "found");
   for (const CheckResult& result : report.results)
-    text += fmt::format("{:<{}}  {:<{}}  {:<9}  {:>7.1f}  {}\n", result.unit, unit, result.check,
-                        check, Words[result.verdict], result.seconds, result.summary);
+    text += fmt::format("{:<{}}  {:<{}}  {:<9}  {:>7.1f}  {}\n", report.name(result), unit,
+                        result.check, check, Words[result.verdict], result.seconds, result.summary);
   if (const std::string all = totals_text(mutant_totals(report.results)); !all.empty())
     text += "\nmutants of all units: " + all + "\n";
   for (const CheckResult& result : report.results)
     for (const std::string& fault : result.faults)
-      text += fmt::format("\n{} {}: {}\n", result.unit, result.check, fault);
+      text += fmt::format("\n{} {}: {}\n", report.name(result), result.check, fault);
   return text;
 }
 

@@ -11,14 +11,19 @@
 
 namespace racebeam {
 
+/// In the place of an engine's name.
+constexpr const char* AllEngines = "all";
+
 struct SignoffReport {
-  std::string scene, engine;
+  std::string scene, engine;         ///< or AllEngines
   std::string command;               ///< that was given
   std::vector<CheckResult> results;  ///< in order of units
   bool whole = true;                 ///< false: interrupted
 
   /// Nothing is bad or undecided.
   bool green() const;
+  /// "stacks"; of all engines "beam/stacks".
+  std::string name(const CheckResult& result) const;
 };
 
 /// A line for each check of each unit, and below what is wrong.

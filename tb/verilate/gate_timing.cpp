@@ -28,6 +28,7 @@ GateTiming gate_timing(const engine& of, const std::string& unit, const GateNetl
   const WorkFolder work;
   GateTiming timing{};
   timing.period = 1e9 / (of.video(of.standard(nullptr)).clocks_per_pixel * double{PixelClockHz});
+  if (netlist.cells == 0) return {0, timing.period, "-", "-", {}};
   ToolResult result{};
   run_tools({{{recipe_file("timing"), "osu018", unit, "--netlist", netlist.file, "--pins",
                "--period", fmt::format("{:.4f}", timing.period)},

@@ -13,7 +13,8 @@
 namespace racebeam {
 
 struct GateTiming {
-  double ns;      ///< of the longest path from a register or input pin to a register or output pin
+  double ns;  ///< of the longest path from a register or input pin to a register or output pin; 0
+              ///< if nothing but constants is left of the unit
   double period;  ///< ns that the engine's clock leaves for it
   std::string from, to;
   std::vector<std::string> excepted;  ///< modules with exceptions, MODULE.sdc beside their RTL

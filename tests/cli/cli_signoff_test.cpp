@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 
 #include "tb/base/project_folder.h"
 #include "tests/cli/program.h"
@@ -204,7 +205,29 @@ TEST_F(CliSignoffTest, AToolThatIsMissingIsToldAndOtherChecksGoOn) {
   EXPECT_THAT(run.out(), HasSubstr("no warning"));
 }
 
+// Without Verilator there is nothing to wait for.
+TEST_F(CliSignoffTest, AllEnginesAreOneReport) {
+  Program::Setting setting;
+  setting.environment = "PATH=" + folder.path();
+  Program run(folder.path(),
+              {"signoff", "all", "--engine", "all", "--only", "lint", "-o", "all", "--json"},
+              setting);
+  EXPECT_EQ(run.wait(), 3) << run.err();
+  const Json json = run.json();
+  EXPECT_EQ(json["engine"], "all");
+  std::set<std::string> names;
+  for (const Json& result : json["results"].elements())
+    names.insert(result["engine"].get<std::string>() + "/" + result["unit"].get<std::string>());
+  EXPECT_EQ(names.size(), json["results"].size()) << "each unit of each engine once";
+  EXPECT_THAT(names,
+              testing::IsSupersetOf({"beam/vga_timing", "beam/racebeam_top", "sphere/vga_timing",
+                                     "block/block_core", "voxel/voxel_walker"}));
+  EXPECT_THAT(read_file(folder / "all/signoff.html"), HasSubstr("sphere/vga_timing"));
+}
+
 TEST_F(CliSignoffTest, BadWordsAreRefused) {
+  expect_refused({"signoff", "stacks", "--engine", "all"}, "name the engine that has stacks");
+  expect_refused({"signoff", "all", "--engine", "all", "--set", "fifo_entries=8"}, "leave out");
   expect_refused({"signoff", "stakcs"}, "did you mean 'stacks'");
   expect_refused({"signoff", "stacks", "--only", "mutnats"}, "did you mean 'mutants'");
   expect_refused({"signoff", "racebeam_top", "--only", "mutants"}, "whose units have that check");

@@ -60,7 +60,8 @@ endmodule
   }
   static std::string fault(const GateNetlist& netlist) {
     try {
-      return "slack " + std::to_string(gate_timing(engine_of_unit("stacks"), "counter", netlist).slack());
+      return "slack " +
+             std::to_string(gate_timing(engine_of_unit("stacks"), "counter", netlist).slack());
     } catch (const RtlError& error) {
       return error.what();
     }
@@ -104,6 +105,15 @@ TEST_F(GatesOfACounter, HaveFiguresAndASlack) {
   const GateTiming slower = gate_timing(engine_of_unit("sphere_tracer"), "counter", netlist);
   EXPECT_NEAR(slower.ns, timing.ns, 0.002);
   EXPECT_NEAR(slower.slack(), 1000 / 25.2 - slower.ns, 1e-6) << "its clock has half the speed";
+}
+
+TEST_F(GatesOfACounter, ConstantsHaveNoCellsAndTheWholeClock) {
+  std::ofstream(folder / "counter.sv") << "module counter(output logic [1:0] one_o);\n"
+                                          "  assign one_o = 2'd1;\nendmodule\n";
+  const GateNetlist netlist = gate_netlist({"counter", {folder / "counter.sv"}}, Osu018Gates);
+  EXPECT_EQ(netlist.cells, 0);
+  EXPECT_EQ(netlist.area, 0);
+  EXPECT_NEAR(gate_timing(engine_of_unit("stacks"), "counter", netlist).slack(), 1000 / 50.4, 1e-6);
 }
 
 // OpenSTA takes each of these, and ends with 0.
