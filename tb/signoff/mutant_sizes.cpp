@@ -10,6 +10,7 @@
 
 #include "tb/base/errors.h"
 #include "tb/base/interrupt.h"
+#include "tb/signoff/mutant_totals.h"
 #include "tb/signoff/shared_work.h"
 
 namespace racebeam {
@@ -65,10 +66,9 @@ nlohmann::ordered_json to_json(const MutantSizes& sizes) {
                                   {"p99", percentile(sorted, 99)},
                                   {"most", percentile(sorted, 100)}};
   };
-  return {{"mutants", sizes.clocks.size()},
-          {"not_shrunk", sizes.left},
-          {"clocks", spread(sizes.clocks)},
-          {"moving", spread(sizes.moving)}};
+  return {{"mutants", sizes.clocks.size()}, {"not_shrunk", sizes.left},
+          {"clocks", spread(sizes.clocks)}, {"clocks_within", found_within(sizes.clocks)},
+          {"moving", spread(sizes.moving)}, {"moving_within", found_within(sizes.moving)}};
 }
 
 std::uint64_t percentile(const std::vector<std::uint64_t>& sorted, int percent) {

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t FirstBound = 10, LastBound = 100'000;
+constexpr std::uint64_t Bounds[] = {3, 10, 100, 1'000, 10'000, 100'000};
 
 /// Rounded down: 98.99 is not 99.
 double tenths_of_percent(std::int64_t part, std::int64_t whole) {
@@ -23,15 +23,17 @@ double tenths_of_percent(std::int64_t part, std::int64_t whole) {
 
 Json found_within(const std::vector<std::uint64_t>& clocks) {
   Json counts = Json::object();
-  for (std::uint64_t bound = FirstBound; bound <= LastBound; bound *= 10)
+  for (const std::uint64_t bound : Bounds)
     counts[std::to_string(bound)] =
         std::count_if(clocks.begin(), clocks.end(), [&](std::uint64_t n) { return n <= bound; });
   return counts;
 }
 
 Json mutant_totals(const std::vector<CheckResult>& results) {
-  Json totals = {{"units", 0},     {"mutants", 0}, {"found", 0},   {"equal", 0},  {"not_found", 0},
-                 {"undecided", 0}, {"waived", 0},  {"by_walk", 0}, {"random", 0}, {"within", {}}};
+  Json totals = {{"units", 0},         {"mutants", 0},   {"found", 0},  {"equal", 0},
+                 {"not_found", 0},     {"undecided", 0}, {"waived", 0}, {"by_walk", 0},
+                 {"random", 0},        {"within", {}},   {"shrunk", 0}, {"shrunk_clocks", {}},
+                 {"shrunk_moving", {}}};
   const auto add = [](Json& to, const Json& count) {
     to = (to.is_null() ? 0 : to.get<std::int64_t>()) + count.get<std::int64_t>();
   };
@@ -43,8 +45,15 @@ Json mutant_totals(const std::vector<CheckResult>& results) {
       add(totals[name], result.detail.at(name));
     add(totals["random"],
         result.detail.at("found").get<int>() - result.detail.at("by_walk").get<int>());
-    for (const auto& [bound, count] : result.detail.at("found_within").items())
-      add(totals["within"][bound], count);
+    const auto add_all = [&](const char* to, const Json& counts) {
+      for (const auto& [bound, count] : counts.items()) add(totals[to][bound], count);
+    };
+    add_all("within", result.detail.at("found_within"));
+    if (!result.detail.contains("shrunk")) continue;
+    const Json& shrunk = result.detail.at("shrunk");
+    add(totals["shrunk"], shrunk.at("mutants"));
+    add_all("shrunk_clocks", shrunk.at("clocks_within"));
+    add_all("shrunk_moving", shrunk.at("moving_within"));
   }
   return totals["units"] < 2 ? Json() : totals;
 }
@@ -57,12 +66,16 @@ std::string totals_text(const Json& totals) {
   if (count("not_found") > 0) text += fmt::format(", {} not found", count("not_found"));
   if (count("undecided") > 0) text += fmt::format(", {} undecided", count("undecided"));
   if (count("waived") > 0) text += fmt::format(", {} of them waived", count("waived"));
-  const auto share = [&](const char* bound) {
-    return tenths_of_percent(totals.at("within").at(bound), count("random"));
+  const auto share = [&](const char* of, const char* bound, const char* all) {
+    return tenths_of_percent(totals.at(of).at(bound), count(all));
   };
+  text += fmt::format("; by random traffic {}, {:.1f} % within 100 clocks, {:.1f} % within 10000",
+                      count("random"), share("within", "100", "random"),
+                      share("within", "10000", "random"));
+  if (count("shrunk") == 0) return text;
   return text +
-         fmt::format("; by random traffic {}, {:.1f} % within 100 clocks, {:.1f} % within 10000",
-                     count("random"), share("100"), share("10000"));
+         fmt::format("; shrunk, {:.1f} % have at most 10 clocks, {:.1f} % at most 3 moving inputs",
+                     share("shrunk_clocks", "10", "shrunk"), share("shrunk_moving", "3", "shrunk"));
 }
 
 }  // namespace racebeam

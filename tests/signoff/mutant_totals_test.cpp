@@ -23,7 +23,7 @@ CheckResult mutants(int found, int by_walk, const std::vector<std::uint64_t>& cl
 
 TEST(MutantTotals, BoundsAreIncluded) {
   EXPECT_EQ(found_within({1, 10, 11, 100'000, 100'001}),
-            Json({{"10", 2}, {"100", 3}, {"1000", 3}, {"10000", 3}, {"100000", 4}}));
+            Json({{"3", 1}, {"10", 2}, {"100", 3}, {"1000", 3}, {"10000", 3}, {"100000", 4}}));
 }
 
 TEST(MutantTotals, UnitsAreAddedUp) {
@@ -42,6 +42,19 @@ TEST(MutantTotals, SharesAreRoundedDown) {
   clocks.push_back(10'001);
   const Json totals = mutant_totals({mutants(10'000, 0, clocks), mutants(0, 0, {})});
   EXPECT_NE(totals_text(totals).find("99.9 % within 10000"), std::string::npos);
+}
+
+TEST(MutantTotals, ShrunkStreamsAreCounted) {
+  CheckResult a = mutants(2, 0, {5, 200}), b = mutants(2, 0, {1, 20});
+  a.detail["shrunk"] = {{"mutants", 2},
+                        {"clocks_within", found_within({2, 11})},
+                        {"moving_within", found_within({0, 3})}};
+  b.detail["shrunk"] = {{"mutants", 2},
+                        {"clocks_within", found_within({1, 10})},
+                        {"moving_within", found_within({0, 4})}};
+  EXPECT_NE(totals_text(mutant_totals({a, b}))
+                .find("; shrunk, 75.0 % have at most 10 clocks, 75.0 % at most 3 moving inputs"),
+            std::string::npos);
 }
 
 TEST(MutantTotals, OneUnitHasNone) {
