@@ -41,7 +41,7 @@ inline constexpr const char* MapsAChip =
 inline constexpr const char* FindsAPath =
     "[ \"$1\" = -version ] && echo 9.9 && exit\n"
     "echo 'Startpoint: u_a.one_q[1]\\\\DFFPOSX1'\necho 'Endpoint: u_b.two_q\\\\DFFPOSX1'\n"
-    "echo 'WORST -22.5'\n";
+    "echo 'WORST -2.659'\n";
 
 /// For nextpnr-ice40: one of 80 ns, from u_a.one_q[1] to u_b.two_q.
 inline constexpr const char* Routes =
