@@ -11,11 +11,12 @@ namespace racebeam {
 // entry beyond the last one. After the last picture the link is reset, and waits anew.
 void HostWalk::next() {
   constexpr std::uint64_t LastReset = Clocks - 100;
-  bench_["rst_ni"].drive(clock_ > 0 && clock_ != LastReset);
+  bench_["rst_ni"].drive(clock_ > 0 && clock_ != FirstReset && clock_ != LastReset);
   const bool waits = !one_in(8) && listened_ != HostPatience - 1;
-  listened_ += clock_ > 0 && (waits || listened_ == HostPatience - 1);
+  listened_ += clock_ > FirstReset && (waits || listened_ == HostPatience - 1);
   bench_["host_i"].drive(waits);
-  bench_["valid_i"].drive((!waits || clock_ > Silence) && one_in(4));
+  const bool comes = clock_ < FirstReset || clock_ > Silence;
+  bench_["valid_i"].drive((!waits || comes) && one_in(4));
   if (bench_["loaded_o"].value()) bench_["scene_i"].drive(one_in(2));
   for (UnitBench::Pin* pin : bench_.pins())
     if (pin->input && pin->bits > 1) pin->drive(raw_bits(random_(), pin->bits));

@@ -1,4 +1,5 @@
-// HostWalk: sphere_host_link until it shows the built-in scene, and a CPU that comes late.
+// HostWalk: sphere_host_link until it shows the built-in scene, and a CPU that comes late; and
+// before, one that is there when there is a reset.
 //
 // Random traffic sends words all the time, and is reset long before the link gives up waiting.
 //
@@ -17,8 +18,10 @@ namespace racebeam {
 
 class HostWalk {
  public:
+  /// A CPU answers, and there is a reset.
+  static constexpr std::uint64_t FirstReset = 64;
   /// The tracer waits in 7 of 8 clocks; then there are a few hundred pictures.
-  static constexpr std::uint64_t Silence = HostPatience + HostPatience / 7 + 10'000;
+  static constexpr std::uint64_t Silence = FirstReset + HostPatience + HostPatience / 7 + 10'000;
   static constexpr std::uint64_t Clocks = Silence + 4'000;
 
   /// For sphere_host_link on `bench`; the same seed makes the same traffic.
