@@ -54,9 +54,6 @@ std::vector<Lanes> effects_of_alike(const NamedCircuit& named, const std::vector
       for (const Literal literal : *literals) all.push_back(lanes.of(literal));
     return all;
   };
-  const auto name_of = [&](std::size_t n) {
-    return n < deeds.size() ? deeds[n] : n - deeds.size();
-  };
   std::vector<Lanes> effects(deeds.size());
   for (Lanes round = 1; round <= Rounds; ++round) {
     drive_inputs(named, round, lanes);
@@ -71,8 +68,9 @@ std::vector<Lanes> effects_of_alike(const NamedCircuit& named, const std::vector
       lanes.settle();
       lanes.register_at(n) = ~lanes.register_at(n);
       const std::vector<Lanes> is = looked_at();
-      Lanes all = 0;  // in any order of the registers
-      for (std::size_t m = 0; m < is.size(); ++m) all += mixed(name_of(m), was[m] ^ is[m]);
+      Lanes all = 0;  // in any order of the registers, and of the outputs
+      for (std::size_t m = 0; m < is.size(); ++m)
+        all += m < deeds.size() ? mixed(deeds[m], was[m] ^ is[m]) : mixed(was[m], is[m]);
       effects[n] = mixed(effects[n], all);
     }
     for (std::size_t n = 0; n < deeds.size(); ++n) lanes.register_at(n) = was[n];

@@ -39,7 +39,8 @@ void TracerWalk::next() {
   if (drawn_ < Pictures) return go_through_pictures();
   if (left_-- == 0) begin_episode();
   for (UnitBench::Pin* pin : flags_) pin->drive(!one_in(4));
-  if (mirrors_) return bench_["is_light_i"].drive(0);
+  if (kind_ == Kind::Mirrors) return bench_["is_light_i"].drive(0);
+  if (kind_ == Kind::Ties) return drive_ties();
   for (UnitBench::Pin* pin : numbers_)
     if (!one_in(3)) pin->drive(number(pin->bits));
   if (one_in(2)) bench_["root_i"].drive(value_ / DistanceUnit);
@@ -94,9 +95,10 @@ void TracerWalk::begin_episode() {
   left_ = 1 + static_cast<int>(random_() % Episode);
   for (UnitBench::Pin* pin : modes_)
     pin->drive(raw_bits(random_() >> (one_in(2) ? 30 : 0), pin->bits));
-  mirrors_ = one_in(4);
   reach_ = 0;
-  if (mirrors_) return begin_mirrors();
+  kind_ = one_in(4) ? Kind::Mirrors : one_in(4) ? Kind::Ties : Kind::Any;
+  if (kind_ == Kind::Mirrors) return begin_mirrors();
+  if (kind_ == Kind::Ties) return begin_ties();
   if (one_in(2)) {
     bench_["planes_i"].drive(1);
     bench_["plane_empty_i"].drive(0);
@@ -118,6 +120,31 @@ void TracerWalk::begin_mirrors() {
   for (const char* one : {"sum_i", "square_i"}) bench_[one].drive(1);
   for (const char* most : {"max_reflections_i", "weight_i"})
     bench_[most].drive(low_bits(bench_[most].bits));
+}
+
+// Rays meet all spheres, or pass them and meet planes, at one distance, which is the light's, too.
+// Planes are seen from where the sum is negative.
+void TracerWalk::begin_ties() {
+  passes_ = one_in(2);
+  bench_["planes_i"].drive(passes_);
+  bench_["plane_empty_i"].drive(0);
+  if (passes_) bench_["sphere_last_i"].drive(0);
+  value_ = random_() & low_bits(SphereBits - 1);
+  for (UnitBench::Pin* pin : numbers_) pin->drive(raw_bits(random_(), pin->bits));
+  for (const char* off : {"radius2_i", "limited_i"}) bench_[off].drive(0);
+  bench_["square_i"].drive(passes_ ? 0 : low_bits(SphereSumBits - 2));
+  bench_["root_i"].drive(value_ / DistanceUnit);
+}
+
+// The distance is the one of the episode, or one more or less. Colours tell what was met.
+void TracerWalk::drive_ties() {
+  for (const char* off : {"limited_i", "is_light_i"}) bench_[off].drive(0);
+  const auto near = [&] { return value_ + random_() % 3 - 1; };
+  bench_["quotient_x_i"].drive(raw_bits(near(), SphereBits));
+  const std::uint64_t sum = near() << SphereFraction | (random_() & low_bits(SphereFraction));
+  bench_["sum_i"].drive(raw_bits(passes_ && one_in(2) ? -sum : sum, SphereSumBits));
+  for (const char* colour : {"sphere_red_i", "plane_red_i"})
+    bench_[colour].drive(raw_bits(random_(), SphereColourBits));
 }
 
 // That of the episode, or beside it, negative, a sixteenth, or 0; sums have it where it becomes a

@@ -35,7 +35,9 @@ class TracerWalk {
   void go_through_pictures();
   void begin_episode();
   void begin_mirrors();
+  void begin_ties();
   void drive_limits();
+  void drive_ties();
   std::uint64_t number(int bits);
   bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
 
@@ -43,9 +45,11 @@ class TracerWalk {
   const int min_weight_;
   std::mt19937 random_;
   std::vector<UnitBench::Pin*> flags_, modes_, numbers_;
-  bool begun_ = false, narrow_ = false, mirrors_ = false;
-  int drawn_ = 0;            // pictures
-  int left_ = 0;             // clocks of the episode
+  bool begun_ = false, narrow_ = false;
+  enum class Kind { Any, Mirrors, Ties } kind_ = Kind::Any;  // of the episode
+  int drawn_ = 0;                                            // pictures
+  int left_ = 0;                                             // clocks of the episode
+  bool passes_ = false;                                      // rays pass spheres
   int reach_ = 0;            // planes have limits up to this many units; 0: as all numbers
   std::uint64_t value_ = 0;  // of its numbers
 };

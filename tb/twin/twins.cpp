@@ -20,6 +20,7 @@
 #include "sc/block/engine.h"
 #include "sc/sphere/engine.h"
 #include "sc/sphere/sphere_host_link.h"
+#include "sc/sphere/sphere_shader.h"
 #include "sc/sphere/sphere_tracer.h"
 #include "sc/store/frame_scanout.h"
 #include "sc/video/vga_timing.h"
@@ -32,6 +33,7 @@
 #include "tb/twin/block_walk.h"
 #include "tb/twin/frame_walks.h"
 #include "tb/twin/host_walk.h"
+#include "tb/twin/shader_walk.h"
 #include "tb/twin/sphere_twins.h"
 #include "tb/twin/subdivider_walk.h"
 #include "tb/twin/tracer_walk.h"
@@ -100,6 +102,7 @@ Twins sphere() {
             begin_walk<TracerWalk>},
            {sphere_host_link::unit_name, "until no CPU is there", HostWalk::Clocks,
             begin_walk<HostWalk>},
+           {sphere_shader::unit_name, "through pixels", ShaderWalk::Clocks, begin_walk<ShaderWalk>},
            through_a_frame()}};
 }
 

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace racebeam {
 namespace {
 
@@ -55,6 +57,25 @@ TEST(NamedCircuitTest, AnAssertionClaimsTheSameOfThem) {
   lanes.input(1) = 0b0101;
   lanes.settle();
   EXPECT_EQ(lanes.of(claims.outputs[0]) & 0xf, 0b0010u);
+}
+
+/// Two registers that keep what they have and are two outputs, in any order. Which of the inputs an
+/// output is told with tells which is which.
+TEST(NamedCircuitTest, OutputsMayStandInAnotherOrder) {
+  NamedCircuit like, other;
+  for (NamedCircuit* one : {&like, &other}) {
+    AndCircuit& circuit = one->circuit;
+    circuit.inputs = 2;
+    circuit.next = {False, False};
+    const Literal first = circuit.register_at(0), second = circuit.register_at(1);
+    circuit.next = {first, second};
+    circuit.outputs = {circuit.all(first ^ 1, circuit.input(0)),
+                       circuit.all(second ^ 1, circuit.input(1))};
+    one->inputs = {{"a_i 0", 0}, {"b_i 0", 1}};
+  }
+  std::swap(other.circuit.outputs[0], other.circuit.outputs[1]);
+  like.words = {{0}};
+  EXPECT_EQ(words_as_in(like, other), (std::vector<RegisterWord>{{0}, {1}}));
 }
 
 /// Two registers that keep what they have: nothing but a name tells which is which.
