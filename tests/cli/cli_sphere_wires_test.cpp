@@ -61,8 +61,8 @@ TEST_F(CliSphereWiresTest, UnitsOfTheBuiltInSceneAreVerifiedByTheEngineAlone) {
   Program run(folder.path(), {"verify", "all", "--engine", "sphere", "--frames", "0", "--random",
                               "500", "--json"});
   EXPECT_EQ(run.wait(), 0) << run.err();
-  EXPECT_EQ(Json::parse(run.out())["units"].size(), 14u + 3)
-      << "the walks of tracer, host and beam";
+  EXPECT_EQ(Json::parse(run.out())["units"].size(), 14u + 4)
+      << "the walks of tracer, shader, host and beam";
 }
 
 /// Small pictures in which all that the board has is moved now and then.
