@@ -7,6 +7,8 @@
 
 #include "tb/signoff/always_zero.h"
 #include "tb/signoff/side_by_side.h"
+#include "tb/signoff/value_bits.h"
+#include "tb/signoff/zero_mark.h"
 
 namespace racebeam {
 
@@ -15,21 +17,20 @@ namespace {
 constexpr int Quiet = 32;  // runs in which nothing new comes
 constexpr int Shares = 4;  // of the time, for a question at once
 
-/// Bits that are 1 in all of some values, and in any.
-std::pair<unsigned, unsigned> bits_of(const std::set<unsigned>& values) {
-  unsigned all = ~0u, any = 0;
-  for (const unsigned value : values) all &= value, any |= value;
-  return {all, any};
+RegisterWord and_mark(RegisterWord word, const RegisterWord& wide, std::size_t mark) {
+  if (!wide.empty()) word.push_back(mark);
+  return word;
 }
 
 }  // namespace
 
 EqualSteps::EqualSteps(const AndCircuit& unit, const AndCircuit& mutant,
-                       const StateValues& possible, RegisterWord word)
-    : unit_(unit),
-      mutant_(mutant),
+                       const StateValues& possible, const RegisterWord& word, RegisterWord wide)
+    : wide_(std::move(wide)),
+      unit_(with_zero_mark(unit, wide_)),
+      mutant_(with_zero_mark(mutant, wide_)),
       possible_(possible),
-      reached_(std::move(word), unit.next.size()),
+      reached_(and_mark(word, wide_, unit.next.size()), unit_.next.size()),
       unit_lanes_(unit_),
       mutant_lanes_(mutant_) {}
 
@@ -73,6 +74,14 @@ void EqualSteps::choose(std::vector<Lanes>& state, std::vector<Lanes>& any) {
       any[word[bit]] |= Lanes{(mutant >> bit) & 1} << lane;
     }
   }
+  for (const std::size_t bit : wide_) state[bit] &= state.back();
+}
+
+/// The lanes in which claims hold, and the mark is what it has to be.
+EqualSteps::Lanes EqualSteps::are_possible(const std::vector<Lanes>& state) const {
+  const Lanes claimed = possible_.claimed(state);
+  return wide_.empty() ? claimed
+                       : claimed & ~(state.back() ^ is_not_zero(LaneBits{}, wide_, state));
 }
 
 /// States of the unit that were seen, and for each some value of the mutant's word that goes with
@@ -80,6 +89,7 @@ void EqualSteps::choose(std::vector<Lanes>& state, std::vector<Lanes>& any) {
 EqualSteps::Lanes EqualSteps::choose_seen(std::vector<Lanes>& state, std::vector<Lanes>& any) {
   const RegisterWord& word = reached_.word();
   state = possible_.seen()[random_() % possible_.seen().size()];
+  if (!wide_.empty()) state.push_back(is_not_zero(LaneBits{}, wide_, state));
   for (const std::size_t bit : word) any[bit] = 0;
   Lanes known = 0;
   for (int lane = 0; lane < 64; ++lane) {
@@ -111,7 +121,7 @@ void EqualSteps::run(const std::vector<Lanes>& inputs, const std::vector<Lanes>&
   }
   unit_lanes_.settle();
   mutant_lanes_.settle();
-  grow(which & possible_.claimed(state));
+  grow(which & are_possible(state));
 }
 
 /// Takes in what that clock has led to in those lanes.
@@ -200,7 +210,11 @@ AndCircuit EqualSteps::question(unsigned value, WorkClock::time_point swept_unti
     state[word[bit]] = ((value >> bit) & 1) != 0 ? True : False;
     if (((least ^ most) >> bit & 1) == 0) any[word[bit]] = ((least >> bit) & 1) != 0 ? True : False;
   }
-  const Literal is_possible = possible_.hold(circuit, state);
+  Literal is_possible = possible_.hold(circuit, state);
+  if (!wide_.empty()) {
+    const Literal mark = is_not_zero(bits, wide_, state);
+    is_possible = circuit.all(is_possible, state.back() == True ? mark : mark ^ 1);
+  }
   for (std::size_t n = 0; n < registers; ++n)
     if (!reached_.in_word(n)) state[n] = circuit.all(is_possible, state[n]);
   std::vector<Literal> from = inputs, beside = inputs;

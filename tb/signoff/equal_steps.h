@@ -2,8 +2,9 @@
 //
 // Registers of the two are equal, except where they do not count: in a state of the unit, told by
 // one of its words, some registers of the mutant may have any value, and the word of the mutant one
-// of some values. What is so begins with nothing, and grows as long as some clock leads out of it.
-// If then no output can differ, the mutant is equal.
+// of some values. Whether another word, a wide one, is 0 may tell a state, too. What is so begins
+// with nothing, and grows as long as some clock leads out of it. If then no output can differ, the
+// mutant is equal.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -23,10 +24,10 @@ namespace racebeam {
 
 class EqualSteps {
  public:
-  /// Two circuits with the same inputs and registers. The word may be empty: then a register counts
-  /// in all states or in none.
+  /// Two circuits with the same inputs and registers. If both words are empty, a register counts in
+  /// all states or in none.
   EqualSteps(const AndCircuit& unit, const AndCircuit& mutant, const StateValues& possible,
-             RegisterWord word);
+             const RegisterWord& word, RegisterWord wide = {});
   /// False: it is not so, or not known in that time. Throws MissingTool, Interrupted.
   bool hold(WorkClock::time_point end);
 
@@ -34,6 +35,7 @@ class EqualSteps {
   using Lanes = std::uint64_t;
   std::vector<Lanes> random_lanes(std::size_t count);
   void choose(std::vector<Lanes>& state, std::vector<Lanes>& any);
+  Lanes are_possible(const std::vector<Lanes>& state) const;
   Lanes choose_seen(std::vector<Lanes>& state, std::vector<Lanes>& any);
   void run(const std::vector<Lanes>& inputs, const std::vector<Lanes>& state,
            const std::vector<Lanes>& any, Lanes which);
@@ -42,8 +44,8 @@ class EqualSteps {
   void grow(Lanes which);
   AndCircuit question(unsigned value, WorkClock::time_point swept_until) const;
 
-  const AndCircuit& unit_;
-  const AndCircuit& mutant_;
+  const RegisterWord wide_;
+  const AndCircuit unit_, mutant_;  // with its mark, the last register, if there is a wide word
   const StateValues& possible_;
   ReachedPairs reached_;
   std::mt19937_64 random_{1};

@@ -10,6 +10,7 @@
 
 #include "tb/signoff/always_zero.h"
 #include "tb/signoff/random_run.h"
+#include "tb/signoff/value_bits.h"
 
 namespace racebeam {
 
@@ -176,12 +177,11 @@ void StateValues::add_claimed(const std::vector<Group>& groups, WorkClock::time_
 
 std::map<std::size_t, bool> StateValues::constants() const {
   std::map<std::size_t, bool> constants;
-  for (const Group& group : groups_)
-    for (std::size_t bit = 0; bit < group.bits.size(); ++bit) {
-      unsigned all = ~0u, any = 0;
-      for (const unsigned value : group.values) all &= value, any |= value;
+  for (const Group& group : groups_) {
+    const auto [all, any] = bits_of(group.values);
+    for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
       if (((all ^ any) >> bit & 1) == 0) constants[group.bits[bit]] = (any >> bit & 1) != 0;
-    }
+  }
   return constants;
 }
 
@@ -217,8 +217,10 @@ Literal StateValues::holds(const Group& group, AndCircuit& circuit,
 
 Literal StateValues::claimed(AndCircuit& circuit, const std::vector<Literal>& state) const {
   Literal all = True;
-  if (!claims_.outputs.empty())
-    for (const Literal wrong : circuit.copy(claims_, state)) all = circuit.all(all, wrong ^ 1);
+  if (claims_.outputs.empty()) return all;
+  const auto end = state.begin() + static_cast<std::ptrdiff_t>(claims_.inputs);
+  for (const Literal wrong : circuit.copy(claims_, {state.begin(), end}))
+    all = circuit.all(all, wrong ^ 1);
   return all;
 }
 
@@ -226,7 +228,7 @@ Lanes StateValues::claimed(const std::vector<Lanes>& state) const {
   Lanes all = ~Lanes{0};
   if (claims_.outputs.empty()) return all;
   CircuitLanes lanes(claims_);
-  for (std::size_t n = 0; n < state.size(); ++n) lanes.input(n) = state[n];
+  for (std::size_t n = 0; n < claims_.inputs; ++n) lanes.input(n) = state[n];
   lanes.settle();
   for (const Literal wrong : claims_.outputs) all &= ~lanes.of(wrong);
   return all;

@@ -33,6 +33,8 @@ class StateValues {
   StateValues(const AndCircuit& circuit, const std::vector<RegisterWord>& words,
               std::chrono::seconds limit, AndCircuit claims = {});
 
+  // A state may have other registers behind those of the circuit.
+
   /// Whether all registers have such values, in a circuit in which `state` is their values.
   Literal hold(AndCircuit& circuit, const std::vector<Literal>& state) const;
   /// Puts such values, in 64 lanes, where `state` has others; claims may be wrong of them.

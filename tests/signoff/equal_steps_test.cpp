@@ -10,8 +10,9 @@ namespace racebeam {
 namespace {
 
 bool are_equal(const AndCircuit& unit, const AndCircuit& mutant, const RegisterWord& word,
-               const StateValues& possible = {}) {
-  return EqualSteps(unit, mutant, possible, word).hold(WorkClock::now() + std::chrono::seconds(60));
+               const StateValues& possible = {}, const RegisterWord& wide = {}) {
+  return EqualSteps(unit, mutant, possible, word, wide)
+      .hold(WorkClock::now() + std::chrono::seconds(60));
 }
 
 Literal chosen(AndCircuit& circuit, Literal if_so, Literal a, Literal b) {
@@ -108,6 +109,36 @@ TEST(EqualStepsTest, OnlyPossibleStatesCount) {
   EXPECT_TRUE(are_equal(unit, mutant, {}, possible));
   EXPECT_FALSE(are_equal(unit, mutant, {}));
   EXPECT_TRUE(are_equal(unit, mutant, {0, 1})) << "a word's values are looked for, too";
+}
+
+/// Takes a number of seven bits, its registers from 1 on, and a bit; shows the bit unless the
+/// number is 0, or, with `always`, whatever it is. The mutant turns the bit where the number is 0.
+AndCircuit divider(bool mutant, bool always = false) {
+  AndCircuit circuit;
+  circuit.inputs = 8;
+  circuit.next.assign(8, False);
+  Literal is_zero = True, was_zero = True;
+  for (std::size_t n = 1; n < 8; ++n) {
+    circuit.next[n] = circuit.input(n);
+    is_zero = circuit.all(is_zero, circuit.input(n) ^ 1);
+    was_zero = circuit.all(was_zero, circuit.register_at(n) ^ 1);
+  }
+  const Literal bit = circuit.input(0);
+  circuit.next[0] = mutant ? chosen(circuit, is_zero, bit ^ 1, bit) : bit;
+  circuit.outputs = {circuit.all(circuit.register_at(0), always ? True : was_zero ^ 1), was_zero};
+  return circuit;
+}
+
+TEST(EqualStepsTest, ThatAWideWordIsZeroMayTellAState) {
+  const RegisterWord number{1, 2, 3, 4, 5, 6, 7};
+  const AndCircuit unit = divider(false);
+  EXPECT_TRUE(are_equal(unit, divider(true), {}, {}, number));
+  EXPECT_FALSE(are_equal(unit, divider(true), {})) << "the bit counts in some state";
+  EXPECT_FALSE(are_equal(unit, divider(true), {}, {}, {2, 3, 4, 5, 6, 7})) << "nor does this tell";
+  EXPECT_FALSE(are_equal(divider(false, true), divider(true, true), {}, {}, number))
+      << "it is seen";
+  const StateValues possible(unit, {number}, std::chrono::seconds(60));
+  EXPECT_TRUE(are_equal(unit, divider(true), {}, possible, number));
 }
 
 }  // namespace
