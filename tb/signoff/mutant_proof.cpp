@@ -28,7 +28,6 @@ namespace {
 constexpr const char* AsItIs = "strash";
 constexpr const char* Swept = "strash; &get; &scorr -C 10; &put; lcorr -C 100";
 constexpr const char* SweptLong = "strash; scorr";
-constexpr std::size_t SmallWord = 6;           // bits
 constexpr std::chrono::seconds StateTime{60};  // at least, to find out which states there are
 
 using Raw = std::uint64_t;
@@ -61,6 +60,7 @@ MutantProofs::MutantProofs(const ProofOfMutants& proof, const std::vector<int>& 
   read_map(circuits_->miter_map);
   const AndCircuit unit = circuits_->step.with(0);
   const auto time = std::max<std::chrono::milliseconds>(StateTime, proof.limit);
+  ways_ = ways_to_tell(unit, circuits_->words);
   states_ = StateValues(unit, circuits_->words,
                         std::chrono::duration_cast<std::chrono::seconds>(time), circuits_->claims);
 }
@@ -124,75 +124,12 @@ MutantProof MutantProofs::prove(int number) const {
   return proof;
 }
 
-/// Words of a circuit; those of which `count` says most come first.
-template <class Count>
-std::vector<RegisterWord> by_most(std::vector<RegisterWord> words, const Count& count) {
-  std::map<RegisterWord, std::size_t> most;
-  for (const RegisterWord& word : words) most[word] = count(word);
-  std::stable_sort(words.begin(), words.end(), [&](const RegisterWord& a, const RegisterWord& b) {
-    return most.at(a) > most.at(b);
-  });
-  return words;
-}
-
-/// How many gates read a bit of a word, of the bit that most read.
-std::size_t most_readers(const AndCircuit& circuit, const RegisterWord& word) {
-  std::map<std::size_t, std::size_t> readers;
-  for (const std::size_t bit : word) readers[circuit.register_at(bit) / 2] = 0;
-  for (const auto& gate : circuit.gates)
-    for (const Literal read : gate)
-      if (const auto bit = readers.find(read / 2); bit != readers.end()) ++bit->second;
-  std::size_t most = 0;
-  for (const auto& [bit, count] : readers) most = std::max(most, count);
-  return most;
-}
-
-/// How many gates depend on a word, within a clock.
-std::size_t dependents(const AndCircuit& circuit, const RegisterWord& word) {
-  const std::size_t before = circuit.register_at(circuit.next.size()) / 2;
-  std::vector<bool> depends(before + circuit.gates.size());
-  for (const std::size_t bit : word) depends[circuit.register_at(bit) / 2] = true;
-  for (std::size_t n = 0; n < circuit.gates.size(); ++n)
-    for (const Literal read : circuit.gates[n])
-      if (depends[read / 2]) depends[before + n] = true;
-  return static_cast<std::size_t>(std::count(depends.begin(), depends.end(), true));
-}
-
-/// What may tell in which state a unit is: a small word, and whether a wide one is 0.
-struct StateTold {
-  RegisterWord word, wide;
-};
-
-/// No word first, then one small one after the other, a state that many read before others, then
-/// two; then with a wide one, such as a denominator on which most depends.
-std::vector<StateTold> ways_to_tell(const AndCircuit& circuit,
-                                    const std::vector<RegisterWord>& words) {
-  std::vector<RegisterWord> small, wide;
-  for (const RegisterWord& word : words) (word.size() <= SmallWord ? small : wide).push_back(word);
-  small = by_most(small, [&](const RegisterWord& word) { return most_readers(circuit, word); });
-  wide = by_most(wide, [&](const RegisterWord& word) { return dependents(circuit, word); });
-  small.insert(small.begin(), RegisterWord{});
-  std::vector<StateTold> ways;
-  for (const RegisterWord& word : small) ways.push_back({word, {}});
-  for (std::size_t n = 1; n < small.size(); ++n)
-    for (std::size_t other = 1; other < small.size(); ++other) {
-      if (other == n || small[n].size() == 1 || (small[other].size() > 1 && other < n)) continue;
-      ways.push_back({small[n], {}});
-      RegisterWord& both = ways.back().word;
-      both.insert(both.end(), small[other].begin(), small[other].end());
-    }
-  for (const RegisterWord& one : wide)
-    for (const RegisterWord& word : small) ways.push_back({word, one});
-  return ways;
-}
-
 /// Takes a third of the time, or all of it if that is the only way.
 bool MutantProofs::has_equal_steps(int number) const {
   if (!circuits_) return false;
   const auto end = WorkClock::now() + proof_.limit / (circuits_->miter ? 3 : 1);
   const AndCircuit unit = circuits_->step.with(0), mutant = circuits_->step.with(number);
-  const std::vector<StateTold> ways = ways_to_tell(unit, circuits_->words);
-  return std::any_of(ways.begin(), ways.end(), [&](const StateTold& told) {
+  return std::any_of(ways_.begin(), ways_.end(), [&](const StateTold& told) {
     return EqualSteps(unit, mutant, states_, told.word, told.wide).hold(end);
   });
 }

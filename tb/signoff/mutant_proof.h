@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tb/signoff/mutant_circuits.h"
+#include "tb/signoff/state_told.h"
 
 namespace racebeam {
 
@@ -61,6 +62,7 @@ class MutantProofs {
 
   const ProofOfMutants proof_;
   std::optional<MutantCircuits> circuits_;  // if a mutant has to be proved
+  std::vector<StateTold> ways_;
   StateValues states_;
   std::vector<InputBit> bits_;
 };
