@@ -29,6 +29,7 @@ struct AndCircuit {
   Literal register_at(std::size_t n) const { return input(inputs + n); }
   Literal all(Literal a, Literal b);  ///< of the two; a gate, if it needs one
   Literal any(Literal a, Literal b) { return all(a ^ 1, b ^ 1) ^ 1; }
+  Literal differ(Literal a, Literal b) { return any(all(a, b ^ 1), all(a ^ 1, b)); }
   /// The outputs of a circuit without registers, for those values of its inputs.
   std::vector<Literal> copy(const AndCircuit& circuit, const std::vector<Literal>& values);
 };

@@ -19,5 +19,7 @@ struct ZeroAnswer {
 
 /// Of a circuit without registers and with one output. Throws MissingTool, Interrupted.
 ZeroAnswer always_zero(const AndCircuit& circuit, std::chrono::seconds limit);
+/// What is found at once, or else not known.
+ZeroAnswer zero_at_once(const AndCircuit& circuit);
 
 }  // namespace racebeam

@@ -5,8 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "tb/signoff/always_zero.h"
-#include "tb/signoff/side_by_side.h"
+#include "tb/signoff/step_question.h"
 #include "tb/signoff/value_bits.h"
 #include "tb/signoff/zero_mark.h"
 
@@ -34,17 +33,18 @@ EqualSteps::EqualSteps(const AndCircuit& unit, const AndCircuit& mutant,
       unit_lanes_(unit_),
       mutant_lanes_(mutant_) {}
 
-bool EqualSteps::hold(WorkClock::time_point end) {
+bool EqualSteps::hold(WorkClock::time_point end, Effort effort) {
+  const StepQuestion question{unit_, mutant_, possible_, reached_, wide_};
   do {
     run_a_while(end);
     for (const auto& [value, where] : reached_.by_value()) {
-      const auto left = std::chrono::duration_cast<std::chrono::seconds>(end - WorkClock::now());
+      const auto now = WorkClock::now();
+      const auto left = std::chrono::duration_cast<std::chrono::seconds>(end - now);
       if (differ_ || left.count() < 1) return false;
-      ZeroAnswer answer = always_zero(question(value, WorkClock::now()), left / Shares);
-      if (!answer.zero && answer.inputs.empty()) {
-        const auto now = WorkClock::now();
-        answer = always_zero(question(value, now + (end - now) / 2), left / Shares);
-      }
+      ZeroAnswer answer =
+          question.ask(value, now, effort == AtOnce ? std::chrono::seconds{0} : left / Shares);
+      if (effort == Thorough && !answer.zero && answer.inputs.empty())
+        answer = question.ask(value, now + (end - now) / 2, left / Shares);
       if (answer.zero) continue;
       if (answer.inputs.empty()) return false;
       run_around(answer.inputs, value);
@@ -186,64 +186,6 @@ void EqualSteps::run_around(const std::vector<bool>& values, unsigned value) {
     any[word[bit]] = ((all >> bit) & 1) != 0 ? LaneBits::Yes : 0;
   }
   run(inputs, state, any, LaneBits::Yes);
-}
-
-/// Of states where the unit's word has that value. Inputs: those of the unit, its registers, and
-/// values for registers of the mutant that are free. The output is 1 if a clock leads out of what
-/// is known.
-AndCircuit EqualSteps::question(unsigned value, WorkClock::time_point swept_until) const {
-  const RegisterWord& word = reached_.word();
-  AndCircuit circuit;
-  const std::size_t registers = unit_.next.size();
-  circuit.inputs = unit_.inputs + 2 * registers;
-  const CircuitBits bits{circuit};
-  std::vector<Literal> inputs, state, any;
-  for (std::size_t n = 0; n < unit_.inputs; ++n) inputs.push_back(circuit.input(n));
-  for (std::size_t n = 0; n < registers; ++n) {
-    state.push_back(circuit.input(unit_.inputs + n));
-    any.push_back(circuit.input(unit_.inputs + registers + n));
-  }
-  for (const auto& [at, one] : possible_.constants()) state[at] = one ? True : False;
-  const std::set<unsigned>& others = reached_.by_value().at(value).mutant;
-  const auto [least, most] = bits_of(others);
-  for (std::size_t bit = 0; bit < word.size(); ++bit) {
-    state[word[bit]] = ((value >> bit) & 1) != 0 ? True : False;
-    if (((least ^ most) >> bit & 1) == 0) any[word[bit]] = ((least >> bit) & 1) != 0 ? True : False;
-  }
-  Literal is_possible = possible_.hold(circuit, state);
-  if (!wide_.empty()) {
-    const Literal mark = is_not_zero(bits, wide_, state);
-    is_possible = circuit.all(is_possible, state.back() == True ? mark : mark ^ 1);
-  }
-  for (std::size_t n = 0; n < registers; ++n)
-    if (!reached_.in_word(n)) state[n] = circuit.all(is_possible, state[n]);
-  std::vector<Literal> from = inputs, beside = inputs;
-  const std::vector<Literal> other_state = reached_.beside(bits, state, any);
-  from.insert(from.end(), state.begin(), state.end());
-  beside.insert(beside.end(), other_state.begin(), other_state.end());
-  const auto [unit, mutant] = copy_side_by_side(
-      circuit, without_registers(unit_), without_registers(mutant_), from, beside, swept_until);
-  Literal is_other = False;
-  for (const unsigned other : others)
-    is_other = circuit.any(is_other, reached_.is(bits, any, other));
-  const Literal before = circuit.all(is_other, is_possible);
-  const auto last = static_cast<std::ptrdiff_t>(registers);
-  const std::vector<Literal> next(unit.begin(), unit.begin() + last);
-  const std::vector<Literal> beside_next(mutant.begin(), mutant.begin() + last);
-  const std::vector<Literal> free = reached_.free_in(bits, next);
-  Literal leads_out = True;
-  for (const auto& [v, m] : reached_.pairs())
-    leads_out = circuit.all(
-        leads_out, circuit.all(reached_.is(bits, next, v), reached_.is(bits, beside_next, m)) ^ 1);
-  for (std::size_t n = 0; n < unit.size(); ++n) {
-    if (n < registers && reached_.in_word(n)) continue;
-    const Literal differ =
-        circuit.any(circuit.all(unit[n], mutant[n] ^ 1), circuit.all(unit[n] ^ 1, mutant[n]));
-    const Literal counts = n < registers ? free[n] ^ 1 : True;
-    leads_out = circuit.any(leads_out, circuit.all(counts, differ));
-  }
-  circuit.outputs = {circuit.all(before, leads_out)};
-  return circuit;
 }
 
 }  // namespace racebeam

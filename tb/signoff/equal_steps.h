@@ -28,8 +28,9 @@ class EqualSteps {
   /// all states or in none.
   EqualSteps(const AndCircuit& unit, const AndCircuit& mutant, const StateValues& possible,
              const RegisterWord& word, RegisterWord wide = {});
+  enum Effort { AtOnce, Thorough };  ///< of each question; or it is not known
   /// False: it is not so, or not known in that time. Throws MissingTool, Interrupted.
-  bool hold(WorkClock::time_point end);
+  bool hold(WorkClock::time_point end, Effort effort);
 
  private:
   using Lanes = std::uint64_t;
@@ -42,7 +43,6 @@ class EqualSteps {
   void run_a_while(WorkClock::time_point end);
   void run_around(const std::vector<bool>& values, unsigned value);
   void grow(Lanes which);
-  AndCircuit question(unsigned value, WorkClock::time_point swept_until) const;
 
   const RegisterWord wide_;
   const AndCircuit unit_, mutant_;  // with its mark, the last register, if there is a wide word

@@ -13,9 +13,11 @@
 
 namespace racebeam {
 
-/// Outputs of the two.
+/// Outputs of the two; and where the two differ in each gate through which all differences of
+/// outputs go, the first one first: where one of these is 0, all outputs are equal.
 struct SideBySide {
   std::vector<Literal> unit, mutant;
+  std::vector<Literal> changed{};
 };
 
 /// Of two circuits without registers, for those values of their inputs. Gates are compared with

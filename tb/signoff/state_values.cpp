@@ -3,21 +3,18 @@
 #include "tb/signoff/state_values.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <random>
 #include <utility>
 
-#include "tb/signoff/always_zero.h"
 #include "tb/signoff/random_run.h"
-#include "tb/signoff/value_bits.h"
 
 namespace racebeam {
 
 namespace {
 
-constexpr std::size_t SmallWord = 6;  // bits; of wider ones each bit is looked at alone
-constexpr int Parts = 6;              // of the time, for one question
+constexpr int Parts = 6;          // of the time, for one question
+constexpr int Quiet = 32;         // runs in which nothing new comes
+constexpr std::size_t Apart = 8;  // clocks, states that are kept
 
 using Lanes = std::uint64_t;
 
@@ -34,25 +31,32 @@ std::vector<Literal> next_in(const AndCircuit& step, std::size_t registers) {
   return {step.outputs.begin(), step.outputs.begin() + static_cast<std::ptrdiff_t>(registers)};
 }
 
+/// Which registers what is told by the outputs of a circuit depends on, of one whose inputs they
+/// are.
+std::vector<bool> registers_read(const AndCircuit& circuit) {
+  const AndCircuit cone = cone_of(circuit, circuit.outputs);
+  std::vector<bool> read(1 + cone.inputs + cone.gates.size());
+  for (const Literal output : cone.outputs) read[output / 2] = true;
+  for (const auto& gate : cone.gates)
+    for (const Literal literal : gate) read[literal / 2] = true;
+  return {read.begin() + 1, read.begin() + 1 + static_cast<std::ptrdiff_t>(cone.inputs)};
+}
+
 }  // namespace
 
 StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWord>& words,
                          std::chrono::seconds limit, AndCircuit claims)
-    : for_one_(std::max(limit / Parts, std::chrono::seconds(1))) {
-  for (const RegisterWord& word : words) {
-    if (word.size() <= SmallWord) groups_.push_back({word, {0}});
-    else
-      for (const std::size_t bit : word) groups_.push_back({{bit}, {0}});
-  }
-  const auto half = WorkClock::now() + limit / 2, end = half + limit / 2;
+    : for_one_(std::max(limit / Parts, std::chrono::seconds(1))), groups_(words) {
+  const auto begin = WorkClock::now();
   run_a_while(circuit);
-  const std::vector<Group> never_left = groups_;
-  if (!close(circuit, half)) {
-    const auto wide = [](const Group& group) { return group.bits.size() == 1; };
-    groups_.erase(std::remove_if(groups_.begin(), groups_.end(), wide), groups_.end());
-    if (!close(circuit, end)) close_each(circuit, end + limit / 2);
+  const ValueGroups never_left = groups_;
+  run_from_any(circuit);
+  if (!close(circuit, begin + limit)) {
+    groups_.drop_bits();
+    if (!close(circuit, begin + 2 * limit)) groups_ = {};
   }
   claims_ = std::move(claims);
+  const auto end = WorkClock::now() + limit;
   keep_proved(circuit, end);
   if (!claims_.outputs.empty()) add_claimed(never_left, end);
 }
@@ -60,30 +64,28 @@ StateValues::StateValues(const AndCircuit& circuit, const std::vector<RegisterWo
 void StateValues::run_a_while(const AndCircuit& circuit) {
   std::vector<std::size_t> inputs(circuit.inputs);
   std::iota(inputs.begin(), inputs.end(), std::size_t{0});
-  run_from_zero(circuit, inputs,
-                [&](const CircuitLanes& lanes) { take(circuit, lanes, ~Lanes{0}); });
-  forget_free();
+  std::size_t clock = 0;
+  run_from_zero(circuit, inputs, [&](const CircuitLanes& lanes) {
+    groups_.take(circuit, lanes, ~Lanes{0});
+    if (++clock % Apart != 0) return;
+    seen_.emplace_back();
+    for (const Literal next : circuit.next) seen_.back().push_back(lanes.of(next));
+  });
 }
 
-/// The next values in those lanes.
-void StateValues::take(const AndCircuit& circuit, const CircuitLanes& lanes, Lanes which) {
-  for (Group& group : groups_)
-    for (int lane = 0; lane < 64; ++lane) {
-      if (((which >> lane) & 1) == 0) continue;
-      unsigned value = 0;
-      for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
-        value |= static_cast<unsigned>((lanes.of(circuit.next[group.bits[bit]]) >> lane) & 1)
-                 << bit;
-      group.values.insert(value);
-    }
-}
-
-/// Those of which any value is possible.
-void StateValues::forget_free() {
-  const auto free = [](const Group& group) {
-    return group.values.size() == std::size_t{1} << group.bits.size();
-  };
-  groups_.erase(std::remove_if(groups_.begin(), groups_.end(), free), groups_.end());
+/// The next values of states at random that have the values, as long as some are new.
+void StateValues::run_from_any(const AndCircuit& circuit) {
+  std::mt19937_64 random(1);
+  CircuitLanes lanes(circuit);
+  std::vector<Lanes> state(circuit.next.size());
+  for (int quiet = 0; quiet < Quiet && !groups_.all().empty(); ++quiet) {
+    for (std::size_t n = 0; n < circuit.inputs; ++n) lanes.input(n) = random();
+    for (Lanes& one : state) one = random();
+    groups_.choose(random, state);
+    for (std::size_t n = 0; n < state.size(); ++n) lanes.register_at(n) = state[n];
+    lanes.settle();
+    if (groups_.take(circuit, lanes, ~Lanes{0})) quiet = 0;
+  }
 }
 
 /// One clock of a circuit, as without_registers() makes it, in which those registers are constants.
@@ -93,49 +95,50 @@ AndCircuit StateValues::one_clock(const AndCircuit& circuit) const {
   return with_constant_inputs(without_registers(circuit), tied);
 }
 
-/// Whether it is known that no clock leads out of the values.
+/// Takes in values, and drops groups of which it is not known, until no clock leads out of those of
+/// any group; false if the time is over before.
 bool StateValues::close(const AndCircuit& circuit, WorkClock::time_point end) {
-  while (!groups_.empty()) {
-    AndCircuit question = one_clock(circuit);
-    const std::vector<Literal> next = next_in(question, circuit.next.size());
-    const Literal before = hold(question, state_inputs(question, circuit.next.size()));
-    question.outputs = {question.all(before, hold(question, next) ^ 1)};
-    const auto [zero, inputs] = always_zero(question, for_one_);
-    if (zero) return true;
-    if (inputs.empty() || WorkClock::now() > end) return false;
-    take_found(circuit, inputs);
+  std::size_t some = groups_.all().size();  // that are asked of at once
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t n = 0; n < groups_.all().size();) {
+      if (WorkClock::now() > end) return false;
+      some = std::min(some, groups_.all().size() - n);
+      const auto [zero, inputs] = leads_out(circuit, n, some);
+      if (zero) {
+        n += some;
+        some *= 2;
+        continue;
+      }
+      changed |= !inputs.empty() || some == 1;
+      if (!inputs.empty()) take_found(circuit, inputs);
+      else if (some == 1) groups_.drop(n);
+      else some /= 2;
+    }
   }
   return true;
 }
 
-/// The next values of a clock that leads out of the values.
+/// Whether a clock leads out of the values of some groups, from that one on, if all have theirs.
+ZeroAnswer StateValues::leads_out(const AndCircuit& circuit, std::size_t first,
+                                  std::size_t count) const {
+  AndCircuit question = one_clock(circuit);
+  const std::vector<Literal> next = next_in(question, circuit.next.size());
+  const Literal before = hold(question, state_inputs(question, circuit.next.size()));
+  const Literal after = groups_.hold(question, next, first, count);
+  question.outputs = {question.all(before, after ^ 1)};
+  return count == 1 ? always_zero(question, for_one_) : zero_at_once(question);
+}
+
+/// The next values of a clock that leads out of the values, and of what follows.
 void StateValues::take_found(const AndCircuit& circuit, const std::vector<bool>& inputs) {
   CircuitLanes lanes(circuit);
   for (std::size_t n = 0; n < inputs.size(); ++n)
     (n < circuit.inputs ? lanes.input(n) : lanes.register_at(n - circuit.inputs)) = inputs[n];
   for (const auto& [at, value] : constants()) lanes.register_at(at) = value ? ~Lanes{0} : 0;
   lanes.settle();
-  take(circuit, lanes, 1);
-  forget_free();
-}
-
-/// Takes the groups one by one, and drops those of which it is not known.
-void StateValues::close_each(const AndCircuit& circuit, WorkClock::time_point end) {
-  for (std::size_t n = 0; n < groups_.size();) {
-    AndCircuit question = one_clock(circuit);
-    const std::vector<Literal> next = next_in(question, circuit.next.size());
-    const Literal before = hold(question, state_inputs(question, circuit.next.size()));
-    question.outputs = {question.all(before, holds(groups_[n], question, next) ^ 1)};
-    if (WorkClock::now() > end) return groups_.clear();
-    const auto [zero, inputs] = always_zero(question, for_one_);
-    if (zero) {
-      ++n;
-      continue;
-    }
-    if (!inputs.empty()) take_found(circuit, inputs);
-    else groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(n));
-    n = 0;  // the others may have needed it
-  }
+  groups_.take(circuit, lanes, 1);
+  run_from_any(circuit);
 }
 
 /// Drops the claims that are wrong at the start, and those that some clock leads out of.
@@ -160,59 +163,27 @@ void StateValues::keep_proved(const AndCircuit& circuit, WorkClock::time_point e
 }
 
 /// Adds the groups that the claims imply: bits that never are 1, say, as a number is small.
-void StateValues::add_claimed(const std::vector<Group>& groups, WorkClock::time_point end) {
-  const std::vector<Group> known = groups_;
-  for (const Group& group : groups) {
-    const auto same = [&](const Group& one) { return one.bits == group.bits; };
-    if (std::any_of(known.begin(), known.end(), same) || WorkClock::now() > end) continue;
+void StateValues::add_claimed(const ValueGroups& groups, WorkClock::time_point end) {
+  const std::vector<ValueGroups::Group> known = groups_.all();
+  const std::vector<bool> read = registers_read(claims_);
+  for (const ValueGroups::Group& group : groups.all()) {
+    const auto same = [&](const ValueGroups::Group& one) { return one.bits == group.bits; };
+    const auto is_read = [&](std::size_t bit) { return read[bit]; };
+    if (std::none_of(group.bits.begin(), group.bits.end(), is_read) ||
+        std::any_of(known.begin(), known.end(), same) || WorkClock::now() > end)
+      continue;
     AndCircuit question;
     question.inputs = claims_.inputs;
     const std::vector<Literal> state = state_inputs(question, claims_.inputs);
     const Literal claimed = hold(question, state);
-    groups_.push_back(group);
+    groups_.add(group);
     question.outputs = {question.all(claimed, hold(question, state) ^ 1)};
-    if (!always_zero(question, for_one_).zero) groups_.pop_back();
-  }
-}
-
-std::map<std::size_t, bool> StateValues::constants() const {
-  std::map<std::size_t, bool> constants;
-  for (const Group& group : groups_) {
-    const auto [all, any] = bits_of(group.values);
-    for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
-      if (((all ^ any) >> bit & 1) == 0) constants[group.bits[bit]] = (any >> bit & 1) != 0;
-  }
-  return constants;
-}
-
-void StateValues::choose(std::mt19937_64& random, std::vector<Lanes>& state) const {
-  for (const Group& group : groups_) {
-    const std::vector<unsigned> values(group.values.begin(), group.values.end());
-    for (const std::size_t bit : group.bits) state[bit] = 0;
-    for (int lane = 0; lane < 64; ++lane) {
-      const unsigned value = values[random() % values.size()];
-      for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
-        state[group.bits[bit]] |= Lanes{(value >> bit) & 1} << lane;
-    }
+    if (!always_zero(question, for_one_).zero) groups_.drop_last();
   }
 }
 
 Literal StateValues::hold(AndCircuit& circuit, const std::vector<Literal>& state) const {
-  Literal all = True;
-  for (const Group& group : groups_) all = circuit.all(all, holds(group, circuit, state));
-  return circuit.all(all, claimed(circuit, state));
-}
-
-Literal StateValues::holds(const Group& group, AndCircuit& circuit,
-                           const std::vector<Literal>& state) {
-  Literal one = False;
-  for (const unsigned value : group.values) {
-    Literal is = True;
-    for (std::size_t bit = 0; bit < group.bits.size(); ++bit)
-      is = circuit.all(is, state[group.bits[bit]] ^ (((value >> bit) & 1) == 0 ? 1 : 0));
-    one = circuit.any(one, is);
-  }
-  return one;
+  return circuit.all(groups_.hold(circuit, state), claimed(circuit, state));
 }
 
 Literal StateValues::claimed(AndCircuit& circuit, const std::vector<Literal>& state) const {

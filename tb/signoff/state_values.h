@@ -13,13 +13,13 @@
 #include <cstdint>
 #include <map>
 #include <random>
-#include <set>
-#include <string>
 #include <vector>
 
 #include "tb/base/work_clock.h"
 #include "tb/signoff/aiger.h"
+#include "tb/signoff/always_zero.h"
 #include "tb/signoff/named_circuit.h"
+#include "tb/signoff/value_groups.h"
 
 namespace racebeam {
 
@@ -38,35 +38,30 @@ class StateValues {
   /// Whether all registers have such values, in a circuit in which `state` is their values.
   Literal hold(AndCircuit& circuit, const std::vector<Literal>& state) const;
   /// Puts such values, in 64 lanes, where `state` has others; claims may be wrong of them.
-  void choose(std::mt19937_64& random, std::vector<std::uint64_t>& state) const;
+  void choose(std::mt19937_64& random, std::vector<std::uint64_t>& state) const {
+    groups_.choose(random, state);
+  }
   /// States of the short run; or none.
   const std::vector<std::vector<std::uint64_t>>& seen() const { return seen_; }
   /// The lanes in which all claims hold.
   std::uint64_t claimed(const std::vector<std::uint64_t>& state) const;
   std::size_t claims() const { return claims_.outputs.size(); }
   /// Registers that always have the same value.
-  std::map<std::size_t, bool> constants() const;
+  std::map<std::size_t, bool> constants() const { return groups_.constants(); }
 
  private:
-  struct Group {
-    RegisterWord bits;
-    std::set<unsigned> values;
-  };
-
   AndCircuit one_clock(const AndCircuit& circuit) const;
   void run_a_while(const AndCircuit& circuit);
-  void take(const AndCircuit& circuit, const CircuitLanes& lanes, std::uint64_t which);
-  void forget_free();
+  void run_from_any(const AndCircuit& circuit);
   bool close(const AndCircuit& circuit, WorkClock::time_point end);
+  ZeroAnswer leads_out(const AndCircuit& circuit, std::size_t first, std::size_t count) const;
   void take_found(const AndCircuit& circuit, const std::vector<bool>& inputs);
-  void close_each(const AndCircuit& circuit, WorkClock::time_point end);
-  static Literal holds(const Group& group, AndCircuit& circuit, const std::vector<Literal>& state);
   void keep_proved(const AndCircuit& circuit, WorkClock::time_point end);
-  void add_claimed(const std::vector<Group>& groups, WorkClock::time_point end);
+  void add_claimed(const ValueGroups& groups, WorkClock::time_point end);
   Literal claimed(AndCircuit& circuit, const std::vector<Literal>& state) const;
 
   std::chrono::seconds for_one_{};  // question
-  std::vector<Group> groups_;       // of which some value is not possible
+  ValueGroups groups_;
   AndCircuit claims_;
   std::vector<std::vector<std::uint64_t>> seen_;
 };

@@ -12,7 +12,7 @@ namespace {
 bool are_equal(const AndCircuit& unit, const AndCircuit& mutant, const RegisterWord& word,
                const StateValues& possible = {}, const RegisterWord& wide = {}) {
   return EqualSteps(unit, mutant, possible, word, wide)
-      .hold(WorkClock::now() + std::chrono::seconds(60));
+      .hold(WorkClock::now() + std::chrono::seconds(60), EqualSteps::Thorough);
 }
 
 Literal chosen(AndCircuit& circuit, Literal if_so, Literal a, Literal b) {

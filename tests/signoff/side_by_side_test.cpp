@@ -43,6 +43,32 @@ TEST(SideBySideTest, OthersAreNot) {
   EXPECT_NE(both.unit, both.mutant);
 }
 
+// From the second gate on there is one way.
+TEST(SideBySideTest, ADifferenceGoesThroughAllGatesOfAChain) {
+  EXPECT_EQ(copied(False, WorkClock::now()).changed.size(), 2u);
+  EXPECT_TRUE(copied(2, WorkClock::now()).changed.empty()) << "nothing differs";
+}
+
+// Of a & b or c & b: two ways from the gate that differs, which one output joins again.
+TEST(SideBySideTest, WhereThereAreTwoWaysItGoesThroughNeither) {
+  AndCircuit unit, into;
+  unit.inputs = into.inputs = 3;
+  const auto gate = [&unit](std::size_t n) { return unit.register_at(n); };
+  unit.gates = {{unit.input(0), unit.input(1)}};
+  unit.gates.push_back({gate(0), unit.input(1)});
+  unit.gates.push_back({gate(0), unit.input(2)});
+  unit.gates.push_back({gate(1) ^ 1, gate(2) ^ 1});
+  AndCircuit mutant = unit;
+  mutant.gates[0][1] = True;
+  const std::vector<Literal> values{into.input(0), into.input(1), into.input(2)};
+  const auto changed = [&](const std::vector<Literal>& outputs) {
+    unit.outputs = mutant.outputs = outputs;
+    return copy_side_by_side(into, unit, mutant, values, values, WorkClock::now()).changed.size();
+  };
+  EXPECT_EQ(changed({gate(3)}), 2u);
+  EXPECT_EQ(changed({gate(3), gate(2)}), 1u) << "another output shows it, too";
+}
+
 /// a & b & c & d ... of many inputs, and of all but the last: samples are the same, a proof is not.
 TEST(SideBySideTest, WhatIsTheSameInSamplesOnlyIsNotTaken) {
   constexpr std::size_t Inputs = 40;
