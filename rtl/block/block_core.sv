@@ -524,6 +524,18 @@ module block_core #(
   assign busy_o = !job_ready_o;
   assign state_o = state_q;
   assign event_o = event_q;
+
+`ifndef SYNTHESIS
+  wire logic before_store = state_q >= block_pkg::BlockGroup && state_q <= block_pkg::BlockShade;
+  always_ff @(posedge clk_i)
+    if (rst_ni) begin
+      if (in_cull && LastQuarter == '0) culling_is_at_corner_0 : assert (corner_q == '0);
+      if (in_group || in_near)
+        group_is_of_spheres : assert (32'(index_q) << LaneBits < block_pkg::BlockEntries);
+      if (before_store) a_pass_is_left : assert (pass_q < AllPasses);
+      if (state_q > block_pkg::BlockShade) passes_are_few : assert (pass_q <= AllPasses);
+    end
+`endif
 endmodule
 
 `default_nettype wire

@@ -16,6 +16,7 @@
 #include "tb/base/whole_file.h"
 #include "tb/signoff/aiger.h"
 #include "tb/signoff/memory_bits.h"
+#include "tb/signoff/memory_cut.h"
 #include "tb/signoff/yosys_sources.h"
 #include "tb/verilate/cache_folder.h"
 
@@ -30,8 +31,6 @@ constexpr const char* Step = "racebeam_step";
 constexpr const char* Unit = "racebeam_unit";
 constexpr std::size_t MostMemory = 16'384;  // bits that are written and looked at
 constexpr const char* Memory = "memory -nordff\n";
-constexpr const char* MemoryCut =
-    "memory -nordff -nomap\nexpose -evert t:$mem_v2 r:WR_PORTS>0 %i\nmemory_map\n";
 constexpr const char* Lowering =
     "opt -fast\npmuxtree\ndffunmap\ntechmap\nopt -fast -nodffe -nosdff\n"
     "setundef -undriven -init -zero\naigmap\nopt_clean\n";
@@ -178,7 +177,8 @@ std::string circuit_commands(const ProofOfMutants& proof) {
 }
 
 std::string circuit_key(const ProofOfMutants& proof) {
-  return content_key({proof.netlist.rtlil, miter_module(proof, 1), circuit_commands(proof)});
+  return content_key({proof.netlist.rtlil, miter_module(proof, 1),
+                      circuit_commands(proof) + (has_large_memory(proof) ? WrittenMemory : "")});
 }
 
 MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mutant>& mutants) {
@@ -188,6 +188,7 @@ MutantCircuits mutant_circuits(const ProofOfMutants& proof, const std::vector<Mu
   work.write("miter.v", miter_module(proof, mutant_bits(proof.netlist.mutants)));
   work.write("step.v", step_module(proof, Step, true));
   work.write("unit.v", step_module(proof, Unit, false));
+  work.write(WrittenFile, WrittenMemory);
   const std::string& unit = proof.ports.unit;
   const std::string mutated =
       fmt::format("read_rtlil plain.il\n{}rename {} is_unit\n",

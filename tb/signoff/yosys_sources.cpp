@@ -115,12 +115,13 @@ void link_sources(const RtlSources& sources, const std::string& folder) {
 }
 
 std::string reading_commands(const RtlSources& sources, bool assertions) {
-  std::string options = assertions ? " -sv -formal" : " -sv", libraries, text, settings;
+  std::string options = " -sv", libraries, text, settings;
   const SearchedFolders folders(sources);
   for (const std::string& one : folders.included) options += " -I" + one;
   for (const std::string& one : sources.defines) options += " -D" + one;
   for (const std::string& one : folders.libraries) libraries += " -libdir " + one;
-  text = "read_verilog" + options;
+  if (assertions) text = "verilog_defaults -add -formal\n";  // for what it finds in folders, too
+  text += "read_verilog" + options;
   for (const std::string& package : packages(sources)) text += " " + package;
   for (const std::string& name : link_names(sources.files)) text += " " + name;
   for (const std::string& parameter : sources.parameters) {

@@ -115,5 +115,23 @@ TEST(MutantNetlist, KeptStreamsNameNoFileByItsPlaceOnAMachine) {
   EXPECT_GT(streams, 0);
 }
 
+TEST(MutantNetlist, AssertionsOfModulesInsideArePartOfIt) {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "inside");
+  std::ofstream(folder / "mine.sv")
+      << "module mine (input wire clk_i, input wire [3:0] a_i, output wire [3:0] out_o);\n"
+         "digit u_digit (.clk_i(clk_i), .a_i(a_i), .out_o(out_o));\nendmodule\n";
+  std::ofstream(folder / "inside/digit.sv")
+      << "module digit (input wire clk_i, input wire [3:0] a_i, output reg [3:0] out_o);\n"
+         "always @(posedge clk_i) out_o <= a_i > 9 ? 9 : a_i;\n"
+         "`ifndef SYNTHESIS\nalways @(posedge clk_i) is_a_digit : assert (out_o <= 9);\n`endif\n"
+         "endmodule\n";
+  RtlSources sources;
+  sources.top = "mine";
+  sources.files = {folder / "mine.sv"};
+  sources.libraries = {folder / "inside"};
+  EXPECT_THAT(mutant_netlist(sources, 5, 1).asserted, HasSubstr("u_digit.is_a_digit"));
+}
+
 }  // namespace
 }  // namespace racebeam

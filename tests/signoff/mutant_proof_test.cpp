@@ -93,19 +93,30 @@ TEST_F(MutantProofTest, WhatIsKnownAsEqualIsAskedOnlyIfItHasToBe) {
   EXPECT_EQ(mine_.prove_known(Seen, true).verdict, MutantProof::Counterexample);
 }
 
-TEST(LargeMemoryTest, IsTheSameWhereTheSameIsWrittenToIt) {
-  const Mine mine(
+/// A large memory, and what is written to it when.
+Mine memory(const std::string& written, const std::string& when) {
+  return Mine(
       "module mine (input wire clk_i, input wire [1:0] op_i, input wire [9:0] at_i,\n"
       "  input wire [31:0] a_i, output reg [31:0] out_o);\n"
       "reg [31:0] kept_q[0:1023];\n"
-      "always @(posedge clk_i) if (op_i == 2) kept_q[at_i] <= a_i;\n"
-      "always @(posedge clk_i) out_o <= kept_q[a_i[9:0]];\n"
-      "endmodule\n",
+      "always @(posedge clk_i) if (" +
+          when + ") kept_q[at_i] <= " + written +
+          ";\n"
+          "always @(posedge clk_i) out_o <= kept_q[a_i[9:0]];\n"
+          "endmodule\n",
       {{"op_i", 2, true}, {"at_i", 10, true}, {"a_i", 32, true}, {"out_o", 32, false}});
+}
+
+TEST(LargeMemoryTest, IsTheSameWhereTheSameIsWrittenToIt) {
+  const Mine mine = memory("a_i", "op_i == 2");
   EXPECT_EQ(mine.prove(Unseen).verdict, MutantProof::Equal);
   const MutantProof seen = mine.prove(Seen);
   EXPECT_EQ(seen.verdict, MutantProof::Undecided);
   EXPECT_NE(seen.why.find("too much memory"), std::string::npos) << seen.why;
+}
+
+TEST(LargeMemoryTest, WhatIsNotWrittenNeedNotBeTheSame) {
+  EXPECT_EQ(memory("op_i == 2 ? a_i : ~a_i", "op_i[0]").prove(Seen).verdict, MutantProof::Equal);
 }
 
 }  // namespace
