@@ -86,8 +86,8 @@ MutantNetlist netlist_of(const nlohmann::ordered_json& json) {
 
 // yosys 0.23 reads no assertion with an else; they only help proofs.
 std::string asserted(const RtlSources& sources, const WorkFolder& work) try {
-  run_yosys(reading_commands(sources, true) + "chformal -assert -early\nwrite_rtlil asserted.il\n",
-            work.path(), sources.top);
+  run_yosys(reading_commands(sources, true) + "write_rtlil asserted.il\n", work.path(),
+            sources.top);
   std::string text = whole_file(work.file("asserted.il"));
   return text.find("cell $assert") == std::string::npos ? "" : text;
 } catch (const RtlError&) {

@@ -103,6 +103,10 @@ std::vector<std::string> packages(const RtlSources& sources) {
   return all;
 }
 
+// Of the clock in which they are looked at, not of the one after; `opt` would give their registers
+// a reset, which these do not have.
+constexpr const char* AtTheirClock = "chformal -assert -early\n";
+
 }  // namespace
 
 void link_sources(const RtlSources& sources, const std::string& folder) {
@@ -131,8 +135,9 @@ std::string reading_commands(const RtlSources& sources, bool assertions) {
   }
   if (!settings.empty()) text += "\nchparam" + settings + " " + sources.top;
   return text +
-         fmt::format("\nhierarchy -check -top {0}{1}\nrename -top {0}\nproc -norom\nflatten\nopt\n",
-                     sources.top, libraries);
+         fmt::format(
+             "\nhierarchy -check -top {0}{1}\nrename -top {0}\nproc -norom\nflatten\n{2}opt\n",
+             sources.top, libraries, assertions ? AtTheirClock : "");
 }
 
 void run_yosys(const std::string& commands, const std::string& folder, const std::string& unit) {

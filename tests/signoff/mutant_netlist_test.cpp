@@ -9,6 +9,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
 
 #include "tb/base/project_folder.h"
 #include "tb/base/whole_file.h"
@@ -81,11 +83,16 @@ TEST(MutantNetlist, OfATableMistakesAreInWhatIsReadOnly) {
     EXPECT_THAT(mutant.name, ContainsRegex("memrd.* (ADDR|DATA|CLK)"));
 }
 
+std::ptrdiff_t registers_in(const std::string& rtlil) {
+  static const std::regex Register("cell \\$[a-z]*dff");
+  return std::distance(std::sregex_iterator(rtlil.begin(), rtlil.end(), Register), {});
+}
+
 TEST(MutantNetlist, AssertionsStandApartFromWhatGetsMistakes) {
   const ScratchFolder folder;
   const auto netlist = [&](const std::string& assertion) {
     std::ofstream(folder / "mine.sv")
-        << "module mine (input wire clk_i, output reg [3:0] out_o);\n"
+        << "module mine (input wire clk_i, input wire rst_ni, output reg [3:0] out_o);\n"
            "always @(posedge clk_i) out_o <= out_o == 9 ? 4'd0 : out_o + 4'd1;\n"
            "`ifndef SYNTHESIS\nalways @(posedge clk_i) " +
                assertion + "\n`endif\nendmodule\n";
@@ -97,6 +104,9 @@ TEST(MutantNetlist, AssertionsStandApartFromWhatGetsMistakes) {
   const MutantNetlist asserted = netlist("is_a_digit : assert (out_o <= 9);");
   EXPECT_THAT(asserted.asserted, HasSubstr("cell $assert"));
   EXPECT_THAT(asserted.rtlil, Not(HasSubstr("$assert")));
+  const MutantNetlist nested =
+      netlist("if (rst_ni) begin if (out_o != 3) is_a_digit : assert (out_o <= 9); end");
+  EXPECT_EQ(registers_in(nested.asserted), registers_in(nested.rtlil)) << "it holds at its clock";
   const MutantNetlist other = netlist("assert (out_o <= 9) else $error(\"no digit\");");
   EXPECT_EQ(other.asserted, "") << "yosys does not read that";
   EXPECT_EQ(other.mutants.size(), asserted.mutants.size());
