@@ -97,10 +97,18 @@ AndCircuit circuit_of(const StepQuestion& of, unsigned value, WorkClock::time_po
   const auto out = [&](const Literals& beside_unit) {
     return leads_out(circuit, reached, unit, beside_unit, counts);
   };
-  circuit.outputs = {circuit.all(before, out(mutant))};
-  const Literal unit_alone = changed.empty() ? False : out(unit);
-  for (const Literal one : changed)
-    circuit.outputs.push_back(circuit.all(before, circuit.any(one, unit_alone)));
+  const Literal unit_alone = circuit.all(before, out(unit));
+  circuit.outputs = {unit_alone};
+  const bool by_difference = zero_at_once(circuit).zero;  // a clock leads out, if it does
+  Literal both = circuit.all(before, out(mutant));
+  std::vector<Literal> enough;
+  for (const Literal one : changed) {
+    if (!by_difference) break;
+    both = circuit.all(both, one);  // it follows, and helps to decide
+    enough.push_back(circuit.all(before, one));
+  }
+  circuit.outputs = {both};
+  circuit.outputs.insert(circuit.outputs.end(), enough.begin(), enough.end());
   return circuit;
 }
 
