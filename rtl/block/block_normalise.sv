@@ -113,10 +113,6 @@ module block_normalise #(
   assign unit_z_o = last ? block_pkg::fixed_of(product_z) : '0;
   assign done_o = last;
   assign small_o = step_q == 4'd1 && aa_q < block_pkg::BlockSmallLength2;
-
-`ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni && !first) it_is_wanted_to_the_end : assert (start_i);
-`endif
 endmodule
 
 `default_nettype wire

@@ -170,10 +170,8 @@ module block_shade #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i)
-    if (rst_ni) begin
-      if (step_q != StepPoint) it_is_wanted_to_the_end : assert (start_i);
-      if (step_q > StepDiffuse) light_is_not_below_0 : assert (!diffuse_q[Bits-1]);
-    end
+    if (rst_ni && step_q > StepDiffuse)
+      light_is_not_below_0 : assert (!diffuse_q[Bits-1]);
 `endif
 endmodule
 
