@@ -530,8 +530,6 @@ module block_core #(
   always_ff @(posedge clk_i)
     if (rst_ni) begin
       if (in_cull && LastQuarter == '0) culling_is_at_corner_0 : assert (corner_q == '0);
-      if (in_group || in_near)
-        group_is_of_spheres : assert (32'(index_q) << LaneBits < block_pkg::BlockEntries);
       if (before_store) a_pass_is_left : assert (pass_q < AllPasses);
       if (state_q > block_pkg::BlockShade) passes_are_few : assert (pass_q <= AllPasses);
     end
