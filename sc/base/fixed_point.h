@@ -13,7 +13,7 @@ namespace racebeam {
 /// Values of the x, y and z axis (0, 1, 2).
 using vec3 = std::array<int, 3>;
 
-/// All ones in the low `bits` bits.
+/// All ones in the low `bits` bits, 0..31.
 constexpr int low_bits(int bits) { return static_cast<int>((1u << bits) - 1u); }
 
 /// The value of `raw` modulo 2^bits as a signed number of that width.

@@ -132,7 +132,7 @@ void TracerWalk::begin_ties() {
   value_ = random_() & low_bits(SphereBits - 1);
   for (UnitBench::Pin* pin : numbers_) pin->drive(raw_bits(random_(), pin->bits));
   for (const char* off : {"radius2_i", "limited_i"}) bench_[off].drive(0);
-  bench_["square_i"].drive(passes_ ? 0 : low_bits(SphereSumBits - 2));
+  bench_["square_i"].drive(passes_ ? 0 : std::uint64_t{1} << (SphereSumBits - 2));
   bench_["root_i"].drive(value_ / DistanceUnit);
 }
 
