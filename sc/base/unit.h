@@ -1,4 +1,4 @@
-// Ports and wires of racebeam units: exact widths on top of SystemC's ports.
+// Ports of racebeam units: exact widths on top of SystemC's ports.
 //
 // A 1-bit port is `bool`, a wider one `sc_uint<Bits>`, up to 64 bits; signed values cross a port as
 // raw two's complement. A unit reads ports of up to 31 bits as int, wider ones as 64 bits. An input
@@ -17,22 +17,15 @@
 #include <vector>
 
 #include "sc/base/fixed_point.h"
+#include "sc/base/wire.h"
 
 namespace racebeam {
-
-/// The SystemC type that carries `Bits` bits.
-template <int Bits>
-using wire_type = std::conditional_t<Bits == 1, bool, sc_dt::sc_uint<Bits>>;
 
 /// What the raw bits, and the signed value, of a port are read as.
 template <int Bits>
 using raw_value = std::conditional_t<(Bits < 32), int, std::uint64_t>;
 template <int Bits>
 using signed_number = std::conditional_t<(Bits < 32), int, std::int64_t>;
-
-/// A wire with one driver; `Bits` wide.
-template <int Bits>
-using wire = sc_core::sc_signal<wire_type<Bits>, sc_core::SC_UNCHECKED_WRITERS>;
 
 /// What a wire carries, read without a virtual call; one of the pointers is nullptr.
 struct wire_contents {
@@ -56,8 +49,6 @@ class any_port {
   virtual wire_contents contents() const = 0;
   /// Drives an output.
   virtual void drive_wire(std::uint64_t value) = 0;
-  /// Makes a process sensitive to an input.
-  virtual void sense(sc_core::sc_sensitive& process) = 0;
 };
 
 /// Marks a port that only some setting of a knob needs.
@@ -87,7 +78,6 @@ class in_port final : public sc_core::sc_in<wire_type<Bits>>, public any_port {
   bool is_optional() const override { return optional_; }
   wire_contents contents() const override { return contents_of<Bits>(*channel_value_); }
   void drive_wire(std::uint64_t) override {}
-  void sense(sc_core::sc_sensitive& process) override { process << *this; }
 
   /// The raw bits.
   raw_value<Bits> value() const {
@@ -125,7 +115,6 @@ class out_port final : public sc_core::sc_out<wire_type<Bits>>, public any_port 
   bool is_optional() const override { return optional_; }
   wire_contents contents() const override { return contents_of<Bits>((*this)->read()); }
   void drive_wire(std::uint64_t value) override { drive(static_cast<raw_value<Bits>>(value)); }
-  void sense(sc_core::sc_sensitive&) override {}
 
   /// Drives the low `Bits` bits of `value`.
   void drive(raw_value<Bits> value) {

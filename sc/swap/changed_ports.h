@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "sc/swap/rtl_model.h"
@@ -33,19 +34,22 @@ class changed_ports {
   changed_ports() = default;
   /// Of ports that live as long; each is called by its place among them.
   explicit changed_ports(const std::vector<const rtl_port*>& ports) {
-    std::map<const char*, word> words;  // by where they begin
+    std::map<const char*, std::pair<word, parts>> words;  // by where they begin
     for (std::size_t n = 0; n < ports.size(); ++n) {
       const char* data = static_cast<const char*>(ports[n]->data);
       const std::size_t offset = reinterpret_cast<std::uintptr_t>(data) % Bytes;
-      word& in = words[data - offset];
+      auto& [in, made_of] = words[data - offset];
       in.data = data - offset;
       const auto bytes = static_cast<std::size_t>(ports[n]->bytes);
       for (std::size_t at = offset; at < offset + bytes; ++at)
-        in.parts[at] = {static_cast<std::uint16_t>(n), static_cast<std::uint8_t>(8 * offset),
-                        static_cast<std::uint8_t>(8 * (Bytes - bytes))};
+        made_of[at] = {static_cast<std::uint16_t>(n), static_cast<std::uint8_t>(8 * offset),
+                       static_cast<std::uint8_t>(8 * (Bytes - bytes))};
       in.mask |= low_bits(8 * (Bytes - bytes)) << 8 * offset;
     }
-    for (const auto& [begin, in] : words) words_.push_back(in);
+    for (const auto& [begin, in] : words) {
+      words_.push_back(in.first);
+      parts_.push_back(in.second);
+    }
   }
 
   /// Calls changed(n, value) for each port whose value is not that of the last time; at first: 0.
@@ -53,7 +57,8 @@ class changed_ports {
   template <class Changed>
   bool visit(const Changed& changed) {
     bool any = false;
-    for (word& in : words_) {
+    for (std::size_t w = 0; w < words_.size(); ++w) {
+      word& in = words_[w];
       std::uint64_t now = 0;  // the machine's bytes begin with the lowest
       std::memcpy(&now, in.data, sizeof now);
       std::uint64_t moved = (now ^ in.last) & in.mask;
@@ -61,7 +66,7 @@ class changed_ports {
       any = true;
       in.last = now;
       while (moved != 0) {
-        const part port = in.parts[static_cast<unsigned>(__builtin_ctzll(moved)) / 8];
+        const part port = parts_[w][static_cast<unsigned>(__builtin_ctzll(moved)) / 8];
         const std::uint64_t bits = low_bits(port.unused);
         moved &= ~(bits << port.shift);
         changed(port.number, now >> port.shift & bits);
@@ -77,16 +82,17 @@ class changed_ports {
     std::uint16_t number;
     std::uint8_t shift, unused;
   };
-  /// Eight bytes of the class, aligned, not all of them ports. All that is asked of them lies in
-  /// one line of the cache.
-  struct alignas(64) word {
+  using parts = std::array<part, Bytes>;
+  /// Eight bytes of the class, aligned, not all of them ports. Many share a line of the cache: what
+  /// they are made of is asked of those that have changed only.
+  struct word {
     const char* data = nullptr;
     std::uint64_t last = 0, mask = 0;
-    std::array<part, Bytes> parts{};
   };
   static std::uint64_t low_bits(std::size_t unused) { return ~std::uint64_t{0} >> unused; }
 
   std::vector<word> words_;
+  std::vector<parts> parts_;  // of each word
 };
 
 }  // namespace racebeam

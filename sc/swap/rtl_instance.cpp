@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sc/swap/rtl_instance.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <set>
 #include <utility>
 
 #include "sc/swap/rtl_remarks.h"
-#include "sc/swap/wire_place.h"
 
 namespace racebeam {
 
@@ -46,9 +43,7 @@ rtl_instance::rtl_instance(const std::string& plugin, const std::string& unit,
     driven.push_back(&rtl);
   }
   changes_ = changed_ports(driven);
-  const std::set<std::string> quiet = quiet_inputs_of(model());
-  for (joint& in : inputs_) in.quiet = quiet.count(in.rtl.name()) != 0;
-  has_quiet_ = !quiet.empty();
+  has_quiet_ = !quiet_inputs_of(model()).empty();
   std::string other;
   for (const rtl_parameter& parameter : other_parameters(built_parameters(model()), wanted))
     other += " " + parameter.name + "=" + std::to_string(parameter.value);
@@ -69,35 +64,42 @@ void rtl_instance::value::write(std::uint64_t value) const {
 }
 
 /// Nothing is known of the inputs yet, or no more.
-void rtl_instance::begin() {
+void rtl_instance::begin(sc_core::sc_event* moved) {
   settled_ = true;
   if (!std::exchange(bound_, true)) {
-    for (joint& out : outputs_) out.wire = out.pin->contents();
-    wires_.resize(static_cast<std::size_t>(model().port_count));
+    for (joint& out : outputs_) {
+      out.wire = out.pin->contents();
+      driven_.push_back(&wire_of(*out.pin));
+    }
     for (joint& in : inputs_) {
       in.wire = in.pin->contents();
-      const auto number = &rtl_port_of(model(), in.rtl.name()) - model().ports;
-      wires_.at(static_cast<std::size_t>(number)) = place_of(in.wire);
+      wires_.follow(*in.pin, rtl_port_of(model(), in.rtl.name()), moved);
     }
+  } else {
+    wires_.take_all();
   }
 }
 
 void rtl_instance::settle() {
   bool moved = !settled_;
-  if (moved) begin();
-  moved |= library_.take_prompt(wires_) | library_.take_quiet(wires_);
+  if (moved) begin(nullptr);
+  moved |= wires_.prompt_moved();
+  if (wires_.quiet_moved()) {
+    library_.copy_quiet();
+    moved = true;
+  }
   if (moved) library_.eval();
 }
 
 void rtl_instance::edge() { library_.rise(); }
 
 void rtl_instance::follow() {
-  bool moved = !settled_;
-  if (moved) {
-    begin();
-    library_.copy_quiet(wires_);
+  const bool first = !settled_;
+  if (first) {
+    begin(&moved_);
+    library_.copy_quiet();
   }
-  moved |= library_.take_prompt(wires_);
+  const bool moved = wires_.prompt_moved() || first;
   followed_ |= moved;
   if (moved) rest_.end();
   if (std::exchange(due_, false)) {
@@ -105,26 +107,23 @@ void rtl_instance::follow() {
     else library_.rise();
     rest_.look(model(), drive() || moved);
   } else if (moved) {
-    library_.eval();
+    if (first) library_.eval();
+    else library_.eval_moved();
     drive();
   }
 }
 
-bool rtl_instance::clock() {
-  if (!rest_.now()) {
-    library_.copy_quiet(wires_);
-  } else if (library_.take_quiet(wires_)) {
+void rtl_instance::clock() {
+  if (rest_.now()) {
+    if (!wires_.quiet_moved()) return library_.pass();
     rest_.end();
-  } else {
-    library_.pass();
-    return true;
   }
+  if (wires_.quiet_moved()) library_.copy_quiet();
   if (++edges_ % Checked == 0 && has_quiet_) check_quiet();
   due_ = std::exchange(followed_, false) && library_.can_rise_and_eval();
-  if (due_) return false;
+  if (due_) return moved_.notify(sc_core::SC_ZERO_TIME);
   library_.rise();
   rest_.look(model(), drive());
-  return true;
 }
 
 // Its outputs drive what the other inputs have made of them.
@@ -134,15 +133,9 @@ void rtl_instance::check_quiet() {
       [this](std::size_t n, std::uint64_t) { tell_not_quiet(model(), outputs_[n].rtl.name()); });
 }
 
-bool rtl_instance::is_quiet(const any_port& pin) const {
-  return std::any_of(inputs_.begin(), inputs_.end(),
-                     [&pin](const joint& in) { return in.pin == &pin && in.quiet; });
-}
-
 /// Whether an output has moved.
 bool rtl_instance::drive() {
-  return changes_.visit(
-      [this](std::size_t n, std::uint64_t value) { outputs_[n].pin->drive_wire(value); });
+  return changes_.visit([this](std::size_t n, std::uint64_t value) { driven_[n]->drive(value); });
 }
 
 void rtl_instance::seek(int frame) {

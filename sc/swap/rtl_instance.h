@@ -10,6 +10,7 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/changed_ports.h"
+#include "sc/swap/followed_inputs.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_parameters.h"
@@ -34,12 +35,12 @@ class rtl_instance {
   /// In a chip: the edge that is due; what settle() does; all outputs drive their wires; quiet
   /// inputs wait.
   void follow();
-  /// In a chip: takes the quiet inputs, for a rising edge. Whether its outputs have driven their
-  /// wires; otherwise it is due, at once with the inputs that move after it. Throws RtlFault too if
-  /// an output follows from a quiet input, as is looked for now and then.
-  bool clock();
-  /// Whether an input reaches no output before the next edge.
-  bool is_quiet(const any_port& pin) const;
+  /// In a chip: takes the quiet inputs, for a rising edge. Its outputs drive their wires, unless
+  /// moved() tells that it is due, at once with the inputs that move after it. Throws RtlFault too
+  /// if an output follows from a quiet input, as is looked for now and then.
+  void clock();
+  /// In a chip: an input has moved that reaches an output before the next edge, or an edge is due.
+  const sc_core::sc_event& moved() const { return moved_; }
 
   /// The back doors of sequencer_pins and navigator_pins: the RTL gets there through its pins, in
   /// clocks of its own; to be followed by settle().
@@ -67,7 +68,6 @@ class rtl_instance {
     any_port* pin;
     value rtl;
     wire_contents wire{};  ///< once it has settled
-    bool quiet = false;    ///< an input that reaches no output before the next edge
   };
   const std::vector<joint>& inputs() const { return inputs_; }
   const std::vector<joint>& outputs() const { return outputs_; }
@@ -80,23 +80,26 @@ class rtl_instance {
   void deposit(const std::string& signal, std::uint64_t value);
 
  private:
-  void begin();
+  void begin(sc_core::sc_event* moved);
   bool drive();
   void check_quiet();
   value port(const std::string& name) const;
   const rtl_model& model() const { return library_.model(); }
 
-  rtl_library library_;
-  std::vector<joint> inputs_, outputs_;
-  std::vector<const void*> wires_;  // by the numbers of ports, once they are known
-  bool has_quiet_ = false;
-  changed_ports changes_;  // of the outputs
+  // What each clock reads comes first, in few lines of the cache.
+  alignas(64) rtl_library library_;
+  followed_inputs wires_{library_.model()};
+  changed_ports changes_;          // of the outputs
+  std::vector<any_wire*> driven_;  // by them
   rtl_rest rest_;
-  std::uint64_t edges_ = 0;
+  bool has_quiet_ = false;
   bool settled_ = false;   // the RTL has seen its inputs, and its outputs follow
   bool bound_ = false;     // the wires are known
   bool due_ = false;       // an edge is
   bool followed_ = false;  // since the last edge inputs have moved, as they may after the next one
+  std::uint64_t edges_ = 0;
+  sc_core::sc_event moved_;
+  std::vector<joint> inputs_, outputs_;
 };
 
 }  // namespace racebeam

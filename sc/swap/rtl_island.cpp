@@ -29,7 +29,7 @@ void write(const rtl_port& port, std::uint64_t value) {
 }
 
 /// The event of a rising edge, which a signal has from when somebody asks for it.
-struct rising_event : wire<1> {
+struct rising_event : sc_core::sc_signal<bool, sc_core::SC_UNCHECKED_WRITERS> {
   static constexpr auto of = &rising_event::m_posedge_event_p;
 };
 
@@ -62,9 +62,7 @@ rtl_island::rtl_island(const std::string& name, const std::vector<island_unit*>&
   join(units);
   sc_core::sc_spawn_options on_inputs, on_edge;
   for (auto* process : {&on_inputs, &on_edge}) process->spawn_method();
-  for (const input& in : inputs_)
-    on_inputs.set_sensitivity(dynamic_cast<sc_core::sc_port_base*>(in.pin));
-  on_inputs.set_sensitivity(&due_event_);
+  on_inputs.set_sensitivity(&moved_event_);
   sc_core::sc_spawn([this] { comb(); }, (name + "_comb").c_str(), &on_inputs);
   on_edge.dont_initialize();
   on_edge.set_sensitivity(&clock_of(units).pos());
@@ -85,15 +83,16 @@ void rtl_island::join(const std::vector<island_unit*>& units) {
   for (int n = 0; n < model.port_count; ++n) {
     const rtl_port& port = model.ports[n];
     const std::string name = port.name;
-    if (name == IslandTick || name == IslandTake || name.rfind(OwnTick, 0) == 0 ||
+    if (name == IslandTick || name.rfind(IslandTake, 0) == 0 || name.rfind(OwnTick, 0) == 0 ||
         name.rfind(OwnPins, 0) == 0)
       continue;
-    const std::size_t from = name.rfind(IslandLate, 0) == 0 ? std::strlen(IslandLate) : 0;
+    const bool late = port.is_input && name.rfind(IslandLate, 0) == 0;
+    const std::size_t from = port.is_input ? name.find('_') + 1 : 0;
     const auto& side = port.is_input ? readers : drivers;
     const auto at = side.find(name.substr(from, name.size() - 2 - from));
     if (at == side.end() || at->second->bits() != port.bits)
       throw RtlError(units.at(0)->plugin() + " is made of other units: " + name + " is not theirs");
-    if (port.is_input) (from ? late_ : inputs_).push_back({at->second, &port});
+    if (port.is_input) (late ? late_ : inputs_).push_back({at->second, &port});
     else inner_.push_back({at->second, &port});
   }
 }
@@ -111,12 +110,10 @@ void rtl_island::find_wires() {
       if (pin->is_input()) read_outside.insert(place_of(pin->contents()));
   }
   std::map<std::string, const void*> by_name;
-  wires_.resize(static_cast<std::size_t>(library_.model().port_count));
   for (auto* side : {&inputs_, &late_})
     for (const input& in : *side) {
-      const wire_contents wire = in.pin->contents();
-      wires_.at(static_cast<std::size_t>(in.rtl - library_.model().ports)) = place_of(wire);
-      by_name[wire_name(in.pin->port_name())] = place_of(wire);
+      wires_.follow(*in.pin, *in.rtl, &moved_event_);
+      by_name[wire_name(in.pin->port_name())] = place_of(in.pin->contents());
     }
   for (output& out : inner_) {
     out.wire = out.pin->contents();
@@ -134,7 +131,10 @@ void rtl_island::find_wires() {
                        " is wired to what is named otherwise; use this unit's RTL without others");
     }
   for (output& out : inner_)
-    if (!out.is_inner) outer_.push_back(out);
+    if (!out.is_inner) {
+      outer_.push_back(out);
+      driven_.push_back(&wire_of(*out.pin));
+    }
   inner_.erase(
       std::remove_if(inner_.begin(), inner_.end(), [](const output& out) { return !out.is_inner; }),
       inner_.end());
@@ -151,12 +151,13 @@ changed_ports rtl_island::changes_of(const std::vector<output>& outputs) {
 
 /// Whether an input has moved.
 bool rtl_island::settle() {
-  bool moved = !std::exchange(settled_, true);
-  if (moved && !bound_) find_wires();
-  moved |= library_.take_prompt(wires_);
+  const bool first = !std::exchange(settled_, true);
+  if (first && !bound_) find_wires();
+  const bool moved = wires_.prompt_moved() || first;
   followed_ |= moved;
   if (moved) rest_.end();
   if (moved && due_) library_.rise_and_eval();
+  else if (moved && !first) library_.eval_moved();
   else if (moved) library_.eval();
   else if (due_) library_.rise();
   return moved;
@@ -185,12 +186,14 @@ void rtl_island::comb() {
 // At the edge others still read what the wires had before it.
 void rtl_island::seq() {
   moved_ = false;
-  if (!rest_.now()) library_.copy_quiet(wires_);
-  else if (library_.take_quiet(wires_)) rest_.end();
-  else return library_.pass();
+  if (rest_.now()) {
+    if (!wires_.quiet_moved()) return library_.pass();
+    rest_.end();
+  }
+  if (wires_.quiet_moved()) library_.copy_quiet();
   if (++edges_ % Checked == 0 && !late_.empty()) check_late();
   due_ = std::exchange(followed_, false) && library_.can_rise_and_eval();
-  if (due_) return due_event_.notify(sc_core::SC_ZERO_TIME);
+  if (due_) return moved_event_.notify(sc_core::SC_ZERO_TIME);
   library_.rise();
   moved_ |= drive_outer();
   request_update();
@@ -203,7 +206,7 @@ void rtl_island::update() {
 
 bool rtl_island::drive_outer() {
   return outer_changes_.visit(
-      [this](std::size_t n, std::uint64_t value) { outer_[n].pin->drive_wire(value); });
+      [this](std::size_t n, std::uint64_t value) { driven_[n]->drive(value); });
 }
 
 bool rtl_island::publish() {

@@ -16,19 +16,22 @@
 #include "sc/base/probe.h"
 #include "sc/base/unit.h"
 #include "sc/swap/changed_ports.h"
+#include "sc/swap/followed_inputs.h"
 #include "sc/swap/rtl_back_door.h"
 #include "sc/swap/rtl_library.h"
 #include "sc/swap/rtl_rest.h"
 
 namespace racebeam {
 
-/// The module's name, that of its input in the place of the clock, and that of the input that
-/// changes when others have.
+/// The module's name, that of its input in the place of the clock, and before a number that of the
+/// input that changes when others of that group have.
 constexpr const char* IslandTop = "racebeam_island";
 constexpr const char* IslandTick = "racebeam_tick";
-constexpr const char* IslandTake = "racebeam_take";
-/// Before the name of an input that reaches no output before the next edge.
+constexpr const char* IslandTake = "racebeam_take_";
+/// Before the name of an input that reaches no output before the next edge; before the number of
+/// another one's group, which "_" ends.
 constexpr const char* IslandLate = "late_";
+constexpr const char* IslandGroup = "group";
 /// Of a unit with a back door, before its instance: its own clock, whether it has inputs of its
 /// own, and before the instance and a port these.
 constexpr const char* OwnTick = "tick_";
@@ -94,20 +97,22 @@ class rtl_island : public sc_core::sc_prim_channel {
   void check_late();
   bool drive_outer();
 
-  rtl_library library_;
-  const std::vector<island_unit*> units_;
-  std::vector<input> inputs_, late_;
-  std::vector<const void*> wires_;  // by the numbers of ports, once they are known
-  std::vector<output> inner_, outer_;
+  // What each clock reads comes first, in few lines of the cache.
+  alignas(64) rtl_library library_;
+  followed_inputs wires_{library_.model()};
   changed_ports inner_changes_, outer_changes_;
+  std::vector<any_wire*> driven_;  // by outer_
   rtl_rest rest_;
   bool moved_ = false;  // something has, in this clock
   bool settled_ = false, bound_ = false;
   // An edge is due, at once with the inputs that move after it, when the others have had theirs.
   bool due_ = false;
   bool followed_ = false;  // since the last edge inputs have moved, as they may after the next one
-  sc_core::sc_event due_event_;
   std::uint64_t edges_ = 0;
+  sc_core::sc_event moved_event_;  // an input that is not late has, or an edge is due
+  std::vector<input> inputs_, late_;
+  std::vector<output> inner_, outer_;
+  const std::vector<island_unit*> units_;
 };
 
 /// Pins of `Unit` in front of an island.

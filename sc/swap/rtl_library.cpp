@@ -52,7 +52,7 @@ std::unique_ptr<rtl_model, void (*)(rtl_model*)> make(const std::shared_ptr<void
     rtl_model* model = own->second();
     return {model, model->destroy};
   }
-  const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make_5"));
+  const auto maker = reinterpret_cast<rtl_maker>(dlsym(library.get(), "rtl_make_7"));
   if (!maker)
     throw RtlError(path + " is no plug-in of this racebeam; make one with `racebeam verilate`");
   const rtl_power_up start = RtlPowerUp::now();

@@ -54,19 +54,12 @@ class rtl_library {
   explicit rtl_library(const std::string& plugin);
   const rtl_model& model() const { return *model_; }
 
-  /// Copies what wires of the chip have to those inputs, by the numbers of ports. Whether one has
-  /// moved.
-  bool take_prompt(const std::vector<const void*>& wires) {
-    return model_->take_prompt(model_->top, wires.data()) != 0;
-  }
-  bool take_quiet(const std::vector<const void*>& wires) {
-    return model_->take_quiet(model_->top, wires.data()) != 0;
-  }
-  void copy_quiet(const std::vector<const void*>& wires) {
-    model_->copy_quiet(model_->top, wires.data());
-  }
+  /// What quiet inputs have in their places.
+  void copy_quiet() { model_->copy_quiet(model_->top); }
   /// The inputs have changed. Throws RtlFault.
   void eval() { evaluate(model_->eval); }
+  /// Those have whose bits in rtl_model::moved are set. Throws RtlFault.
+  void eval_moved() { evaluate(model_->eval_moved); }
   /// A whole clock; nothing without a clock. Throws RtlFault.
   void rise() {
     if (!model_->rise) return;

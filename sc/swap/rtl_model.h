@@ -17,7 +17,14 @@ struct rtl_port {
   const char* name;
   int bits, bytes, is_input;
   void* data;
+  /// Of an input that follows a wire: where that is put; `data` itself, or what copy_quiet() copies
+  /// to it. Whoever puts another value there sets these bits of rtl_model::moved. nullptr: none.
+  void* place;
+  uint32_t moved;
 };
+
+/// In rtl_model::moved.
+enum { RtlQuiet = 31 };
 
 /// One instance.
 struct rtl_model {
@@ -37,18 +44,19 @@ struct rtl_model {
   /// before the next edge.
   const char* remarks;
   void* top;
-  /// Copy to inputs what wires have, those that reach an output before the next edge, and quiet
-  /// ones. wires[N] of such a port N is a bool if it has one bit, otherwise a uint64_t. Whether one
-  /// has moved.
-  int (*take_prompt)(void* top, const void* const* wires);
-  int (*take_quiet)(void* top, const void* const* wires);
-  void (*copy_quiet)(void* top, const void* const* wires);  ///< take_quiet() that does not look
-  void (*eval)(void* top);                                  ///< the inputs have changed
+  /// Bit RtlQuiet: a quiet input has moved in its place. Others: inputs that reach an output before
+  /// the next edge, by groups; eval() and its relatives clear these.
+  uint32_t* moved;
+  /// What quiet inputs have in their places, and clears the bit. Whoever calls it gives them other
+  /// values by it and by eval() only.
+  void (*copy_quiet)(void* top);
+  void (*eval)(void* top);        ///< the inputs have changed
+  void (*eval_moved)(void* top);  ///< those have whose bits are set
   /// A whole clock, from its rising edge on, of a module with a clock `clk_i` or `clk`; it alone
   /// writes the clock's pin. Inputs have what they had in the last eval(); quiet ones, what they
   /// have now. nullptr: there is none.
   void (*rise)(void* top);
-  /// rise() and eval() in one: registers take what inputs had before. nullptr: that is not known.
+  /// rise() and eval_moved() in one: registers take what inputs had before. nullptr: not known.
   void (*rise_and_eval)(void* top);
   /// Whether all that it holds, and what it has said, is as at the last call, before which a
   /// rise() came: so the next one changes nothing if no input does. nullptr: that is not known.
@@ -67,6 +75,6 @@ struct rtl_host {
   void (*end)(rtl_end how, const char* file, int line, const char* message);
 };
 
-/// The one symbol of a plug-in, "rtl_make_5": a new instance. The number is that of this interface.
+/// The one symbol of a plug-in, "rtl_make_7": a new instance. The number is that of this interface.
 typedef rtl_model* (*rtl_maker)(const rtl_host* host);
 }

@@ -29,7 +29,7 @@ constexpr int Patience = 2;                        // seconds to tell of RTL tha
 constexpr int ExitFault = 2;
 
 /// The evaluation that is going on, for signal handlers and for what RTL calls.
-struct Evaluation {
+struct alignas(64) Evaluation {
   const rtl_model* model;
   const char* unit;  // the model lies in the heap, which RTL may break
   std::uint64_t clock;

@@ -21,10 +21,7 @@ class rtl_twin : public Unit::pins, public probed {
       : Unit::pins(name), rtl_(plugin, Unit::unit_name, ports_of(*this), wanted) {
     SC_HAS_PROCESS(rtl_twin);
     SC_METHOD(comb);
-    for (any_port* port : ports_of(*this))
-      if (port->port_name() != std::string("clk_i") && !rtl_.is_quiet(*port))
-        port->sense(this->sensitive);
-    this->sensitive << due_;
+    this->sensitive << rtl_.moved();
     if constexpr (has_clock<typename Unit::pins>::value) {
       SC_METHOD(seq);
       this->sensitive << this->clk_i.pos();
@@ -57,12 +54,9 @@ class rtl_twin : public Unit::pins, public probed {
   struct has_clock<Pins, std::void_t<decltype(Pins::clk_i)>> : std::true_type {};
 
   void comb() { rtl_.follow(); }
-  void seq() {
-    if (!rtl_.clock()) due_.notify(sc_core::SC_ZERO_TIME);
-  }
+  void seq() { rtl_.clock(); }
 
   rtl_instance rtl_;
-  sc_core::sc_event due_;  // the others have had their edge too
 };
 
 }  // namespace racebeam

@@ -1,4 +1,5 @@
-// Where a wire of the chip has its bits: for who copies them without asking the wire.
+// Wires of the chip behind the ports of a unit, for who reads and drives them without asking the
+// ports.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -25,5 +26,8 @@ inline void put(const wire_contents& wire, std::uint64_t value) {
   if (wire.bit) *const_cast<bool*>(wire.bit) = value != 0;
   else const_cast<sc_dt::sc_uint_base*>(wire.word)->*word_bits::of = value;
 }
+
+/// The wire of a bound port. Throws RtlError: it is another channel.
+any_wire& wire_of(any_port& pin);
 
 }  // namespace racebeam

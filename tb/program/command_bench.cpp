@@ -200,8 +200,7 @@ std::string verdict(const Json& worst) {
 /// Rows of mixes, with a bar over all runs.
 void run_mixes(const std::vector<ChipMix>& mixes, bool with_top, const BenchOptions& options,
                Json& all) {
-  const int runs = (static_cast<int>(mixes.size()) + with_top) * options.repeats;
-  Progress progress(runs, "runs");
+  Progress progress(mix_runs(mixes, with_top, options), "runs");
   int done = 0;
   const std::vector<MixRow> rows =
       measure_mixes(mixes, with_top, options, [&] { progress.draw(++done, 0); });

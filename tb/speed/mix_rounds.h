@@ -1,5 +1,5 @@
-// Chips of which some units are RTL, compared by rounds: each round runs every one of them once,
-// and a ratio is taken within a round, so that what else the machine does falls on both its sides.
+// Chips of which some units are RTL, compared with runs of all models, and of the verilated top,
+// just before or after them, so that what else the machine does falls on both sides of a ratio.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -23,9 +23,11 @@ struct MixRow {
   double evaluations_a_clock;  ///< of each plug-in; of a mix without RTL 0
 };
 
-/// Rounds of Effort::repeats, each run in a process of its own. `with_top`: BareTop is run too, and
-/// is the first row. `run_done` is called after each run.
+/// Rounds of Effort::repeats, each run in a process of its own: each mix once, and the first one,
+/// all models, before every second of the others. `with_top`: so is BareTop, and is the first row.
+/// `run_done` is called after each of its mix_runs().
 std::vector<MixRow> measure_mixes(const std::vector<ChipMix>& mixes, bool with_top,
                                   const Effort& effort, const std::function<void()>& run_done);
+int mix_runs(const std::vector<ChipMix>& mixes, bool with_top, const Effort& effort);
 
 }  // namespace racebeam

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "sc/swap/rtl_island.h"
+#include "tb/verilate/clock_wrapper.h"
 
 namespace racebeam {
 
@@ -17,55 +20,85 @@ constexpr const char* IslandClock = "racebeam_clock";
 
 bool drives(const RtlSyntax::Port& port) { return port.direction != "input"; }
 
+/// From outside, and held.
+struct Input {
+  std::string name;
+  int bits, group;
+};
+
 /// What wire a port is on, by whether one of the units drives it.
 class Wires {
  public:
   explicit Wires(const std::vector<IslandUnit>& units) {
+    JoinedNames joined;  // wires, and groups as UNIT.N
     for (const IslandUnit& unit : units)
       for (const RtlSyntax::Port& port : unit.syntax.ports) {
         if (port.name == unit.syntax.clock) continue;
         Wire& wire = wires_[wire_name(port.name)];
-        wire.is_driven |= drives(port);
-        wire.is_late &= unit.quiet.count(port.name) != 0;
+        (drives(port) ? wire.is_driven : wire.is_read) = true;
+        if (const auto at = unit.groups.find(port.name); at != unit.groups.end()) {
+          wire.is_late = false;
+          joined.join(wire_name(port.name), unit.unit + "." + std::to_string(at->second));
+        }
         if (wire.bits != 0 && wire.bits != port.bits)
           throw RtlError(fmt::format("{} of {} is {} bits wide, and others have it with {}",
                                      port.name, unit.unit, port.bits, wire.bits));
         wire.bits = port.bits;
       }
+    const CombGroups groups = joined.groups();
+    std::map<int, int> numbers;
+    for (auto& [name, wire] : wires_)
+      if (!wire.is_driven && !wire.is_late)
+        wire.group =
+            numbers.emplace(groups.at(name), std::min(group_count(), MostGroups - 1)).first->second;
   }
   /// What a unit has at the port.
   std::string at(const std::string& port) const {
     const auto& named = *wires_.find(wire_name(port));
     return named.second.is_driven || named.second.is_late ? text(named) : held(text(named));
   }
-  /// As ports, those that are driven, and those from outside that are late.
+  /// As ports, those from outside that are late, and those that are driven, what none of the units
+  /// reads apart from the rest: who looks at outputs together finds them side by side.
   std::string ports() const {
-    std::string list;
-    for (const auto& named : wires_)
-      if (named.second.is_driven || named.second.is_late)
-        list += fmt::format(",\n  {} wire [{}:0] {}", named.second.is_driven ? "output" : "input",
-                            named.second.bits - 1, text(named));
-    return list;
+    std::string late, shown, inner;
+    for (const auto& named : wires_) {
+      const Wire& wire = named.second;
+      if (!wire.is_driven && !wire.is_late) continue;
+      (!wire.is_driven ? late
+       : wire.is_read  ? inner
+                       : shown) +=
+          fmt::format(",\n  {} wire [{}:0] {}", wire.is_driven ? "output" : "input", wire.bits - 1,
+                      text(named));
+    }
+    return late + shown + inner;
   }
-  /// Name and bits of each other wire from outside.
-  std::vector<std::pair<std::string, int>> inputs() const {
-    std::vector<std::pair<std::string, int>> all;
+  /// Each other wire from outside.
+  std::vector<Input> inputs() const {
+    std::vector<Input> all;
     for (const auto& named : wires_)
       if (!named.second.is_driven && !named.second.is_late)
-        all.emplace_back(text(named), named.second.bits);
+        all.push_back({text(named), named.second.bits, named.second.group});
     return all;
+  }
+  int group_count() const {
+    int count = 0;
+    for (const auto& [name, wire] : wires_) count = std::max(count, wire.group + 1);
+    return count;
   }
   static std::string held(const std::string& input) { return input + "_held"; }
 
  private:
   struct Wire {
     int bits = 0;
-    bool is_driven = false;
+    bool is_driven = false, is_read = false;
     bool is_late = true;  // for all that read it
+    int group = -1;       // of one that is held
   };
   static std::string text(const std::pair<const std::string, Wire>& named) {
     if (named.second.is_driven) return named.first + "_o";
-    return (named.second.is_late ? IslandLate : "") + named.first + "_i";
+    return (named.second.is_late ? IslandLate
+                                 : fmt::format("{}{}_", IslandGroup, named.second.group)) +
+           named.first + "_i";
   }
   std::map<std::string, Wire> wires_;
 };
@@ -108,12 +141,13 @@ std::string island_text(const std::vector<IslandUnit>& units) {
   std::string ports = fmt::format("\n  input wire {}", IslandTick) + wires.ports();
   std::string body = pulse(IslandClock, IslandTick, "");
   auto inputs = wires.inputs();
+  const int own_group = wires.group_count();
   for (const IslandUnit& unit : units) {
     const std::string tick = OwnTick + unit.instance, own = OwnPins + unit.instance;
     const std::string clock = unit.back_door ? unit.instance + "_clock" : IslandClock;
     if (unit.back_door) {
       ports += fmt::format(",\n  input wire {}", tick);
-      inputs.emplace_back(own, 1);
+      inputs.push_back({own, 1, own_group});
       body += pulse(clock, tick, IslandClock);
     }
     std::string parameters, pins;
@@ -126,7 +160,7 @@ std::string island_text(const std::vector<IslandUnit>& units) {
       std::string wire = port.name == unit.syntax.clock ? clock : wires.at(port.name);
       if (unit.back_door && port.name != unit.syntax.clock && !drives(port)) {
         const std::string other = own + "_" + port.name;
-        inputs.emplace_back(other, port.bits);
+        inputs.push_back({other, port.bits, own_group});
         wire = fmt::format("{} ? {} : {}", Wires::held(own), Wires::held(other), wire);
       }
       pins += fmt::format("{}\n  .{}({})", pins.empty() ? "" : ",", port.name, wire);
@@ -136,12 +170,14 @@ std::string island_text(const std::vector<IslandUnit>& units) {
   // Verilator evaluates what hangs on an input each time, and what hangs on a register when that
   // changes: so a clock does not pay for inputs that have not moved.
   std::string declared;
-  if (!inputs.empty()) ports += fmt::format(",\n  input wire {}", IslandTake);
-  for (const auto& [input, bits] : inputs) {
-    ports += fmt::format(",\n  input wire [{}:0] {}", bits - 1, input);
-    declared +=
-        fmt::format("reg [{1}:0] {2} = 0;\nalways @(posedge {3} or negedge {3}) {2} <= {0};\n",
-                    input, bits - 1, Wires::held(input), IslandTake);
+  std::set<int> groups;
+  for (const Input& input : inputs) {
+    if (groups.insert(input.group).second)
+      ports += fmt::format(",\n  input wire {}{}", IslandTake, input.group);
+    ports += fmt::format(",\n  input wire [{}:0] {}", input.bits - 1, input.name);
+    declared += fmt::format(
+        "reg [{1}:0] {2} = 0;\nalways @(posedge {3}{4} or negedge {3}{4}) {2} <= {0};\n",
+        input.name, input.bits - 1, Wires::held(input.name), IslandTake, input.group);
   }
   return fmt::format("module {} ({});\n{}{}endmodule\n", IslandTop, ports, declared, body);
 }

@@ -91,7 +91,7 @@ IslandUnit PluginMaker::island_unit(const std::string& unit, const std::string& 
   IslandUnit one{unit, instance, {}, back_door, read_rtl_syntax(own_sources(unit))};
   for (const Setting& setting : settings(unit))
     one.parameters.push_back(setting.name + "=" + setting.value);
-  if (!traced_) one.quiet = quiet_inputs(own_rtl(unit));
+  one.groups = traced_ ? one_group(one.syntax) : comb_groups(own_rtl(unit));
   return one;
 }
 

@@ -42,7 +42,7 @@ struct TrafficTap::BackDoor : rtl_model {
     for (const any_port* pin : pins) names.emplace_back(pin->port_name());
     for (std::size_t n = 0; n < pins.size(); ++n) {
       const int bits = pins[n]->bits(), bytes = bits <= 8 ? 1 : bits <= 16 ? 2 : bits <= 32 ? 4 : 8;
-      table.push_back({names[n].c_str(), bits, bytes, pins[n]->is_input(), &values[n]});
+      table.push_back({names[n].c_str(), bits, bytes, pins[n]->is_input(), &values[n], nullptr, 0});
     }
     unit = name.c_str();
     parameters = remarks = "";

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "sc/swap/rtl_library.h"
@@ -29,7 +30,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr auto Limit = std::chrono::seconds(120);  // for yosys
-constexpr const char* Recipe = "1";                // another one whenever the answer may be another
+constexpr const char* Recipe = "2";                // another one whenever the answer may be another
 
 /// Where a cell's outputs follow from at once. A register's follow from its clock and from what
 /// sets it without one: that is how a clock made of inputs is found.
@@ -78,19 +79,18 @@ std::map<int, std::vector<int>> moved_by(const Json& cells) {
   return moved;
 }
 
-bool reaches(std::vector<int> nets, const std::map<int, std::vector<int>>& moved,
-             const std::set<int>& goals) {
+/// All nets that one of these moves, they themselves among them.
+std::set<int> moved_from(std::vector<int> nets, const std::map<int, std::vector<int>>& moved) {
   std::set<int> seen(nets.begin(), nets.end());
   while (!nets.empty()) {
     const int net = nets.back();
     nets.pop_back();
-    if (goals.count(net) != 0) return true;
     const auto next = moved.find(net);
     if (next == moved.end()) continue;
     for (const int one : next->second)
       if (seen.insert(one).second) nets.push_back(one);
   }
-  return false;
+  return seen;
 }
 
 /// Whether a file asks who reads it.
@@ -124,61 +124,96 @@ std::optional<std::string> netlist_json(const RtlSources& rtl) {
   return whole_file(out);
 }
 
-void write_names(const RtlSources& rtl, const std::string& out) {
+constexpr const char* Unknown = "?";
+
+void write_groups(const RtlSources& rtl, const std::string& clock, const std::string& out) {
   std::ofstream file(out);
-  file << "quiet inputs of " << rtl.top << '\n';
-  if (const auto json = netlist_json(rtl)) {
-    try {
-      for (const std::string& name : quiet_inputs_in(*json)) file << name << '\n';
-    } catch (const RtlError&) {  // not known
+  file << "ports of " << rtl.top << " and their groups\n";
+  const auto json = netlist_json(rtl);
+  if (!json) file << Unknown << '\n';
+  else try {
+      for (const auto& [name, group] : comb_groups_in(*json, clock))
+        file << name << ' ' << group << '\n';
+    } catch (const RtlError&) {
+      file << Unknown << '\n';
     }
-  }
   file.close();
   if (!file) throw RtlError("cannot write " + out + "; is the disk full?");
 }
 
 }  // namespace
 
-std::set<std::string> quiet_inputs_in(const std::string& json) {
-  std::set<std::string> quiet;
+CombGroups one_group(const RtlSyntax& syntax) {
+  CombGroups all;
+  for (const RtlSyntax::Port& port : syntax.ports)
+    if (port.name != syntax.clock) all[port.name] = 0;
+  return all;
+}
+
+const std::string& JoinedNames::first_of(const std::string& name) const {
+  auto at = above_.find(name);
+  while (at->second != at->first) at = above_.find(at->second);
+  return at->first;
+}
+
+void JoinedNames::join(const std::string& a, const std::string& b) {
+  for (const std::string& name : {a, b}) above_.emplace(name, name);
+  above_.at(first_of(a)) = first_of(b);
+}
+
+CombGroups JoinedNames::groups() const {
+  CombGroups all;
+  std::map<std::string, int> numbers;
+  for (const auto& [name, above] : above_)
+    all[name] = numbers.emplace(first_of(name), static_cast<int>(numbers.size())).first->second;
+  return all;
+}
+
+CombGroups comb_groups_in(const std::string& json, const std::string& clock) {
+  JoinedNames joined;
   try {
     const Json all = Json::parse(json);
     const Json& module = all.at("modules").begin().value();
     const auto moved = moved_by(module.at("cells"));
-    std::set<int> outputs;
+    std::map<int, std::string> outputs;
     for (const auto& port : module.at("ports").items())
       if (port.value().at("direction") != "input")
-        for (const int net : nets_of(port.value().at("bits"))) outputs.insert(net);
+        for (const int net : nets_of(port.value().at("bits"))) {
+          const auto [other, is_new] = outputs.emplace(net, port.key());
+          if (!is_new) joined.join(other->second, port.key());
+        }
     for (const auto& port : module.at("ports").items())
-      if (port.value().at("direction") == "input" &&
-          !reaches(nets_of(port.value().at("bits")), moved, outputs))
-        quiet.insert(port.key());
+      if (port.value().at("direction") == "input" && port.key() != clock)
+        for (const int net : moved_from(nets_of(port.value().at("bits")), moved))
+          if (const auto out = outputs.find(net); out != outputs.end())
+            joined.join(port.key(), out->second);
   } catch (const Json::exception& error) {
     throw RtlError(std::string("this is no netlist of yosys: ") + error.what());
   }
-  return quiet;
+  return joined.groups();
 }
 
-std::set<std::string> quiet_inputs(const RtlSources& sources) {
+CombGroups comb_groups(const RtlSources& sources) {
+  const RtlSyntax syntax = read_rtl_syntax(sources);
   const bool one_file = sources.files.size() == 1 && sources.defines.empty() &&
                         sources.include_folders.empty() && sources.libraries.empty();
-  if (!one_file || sources.kind != RtlSources::Unit || !has_tool("yosys")) return {};
-  const RtlSyntax syntax = read_rtl_syntax(sources);
+  if (!one_file || sources.kind != RtlSources::Unit || !has_tool("yosys")) return one_group(syntax);
   std::vector<std::string> parts = {Recipe, sources.top, yosys_version(), file_key(recipe_file())};
   for (const std::string& file : syntax.files) {
-    if (!is_of_project(file) && asks_for_reader(file)) return {};
+    if (!is_of_project(file) && asks_for_reader(file)) return one_group(syntax);
     parts.push_back(file_key(file));
   }
   for (const std::string& setting : sources.parameters) parts.push_back(setting);
-  const std::string names = cached(content_key(parts) + ".quiet",
-                                   [&](const std::string& out) { write_names(sources, out); });
+  const std::string names = cached(content_key(parts) + ".groups", [&](const std::string& out) {
+    write_groups(sources, syntax.clock, out);
+  });
   std::ifstream in(names);
-  std::set<std::string> quiet;
-  std::string line;
+  std::string line, name;
   std::getline(in, line);  // what they are
-  while (std::getline(in, line)) quiet.insert(line);
-  quiet.erase(syntax.clock);
-  return quiet;
+  CombGroups groups;
+  for (int group = 0; in >> name && name != Unknown && in >> group;) groups[name] = group;
+  if (name == Unknown) return one_group(syntax);
+  return groups;
 }
 
 }  // namespace racebeam

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -17,7 +19,7 @@
 #include "tb/verilate/cache_folder.h"
 #include "tb/verilate/clock_wrapper.h"
 #include "tb/verilate/comb_paths.h"
-#include "tb/verilate/direct_triggers.h"
+#include "tb/verilate/direct_steps.h"
 #include "tb/verilate/elaborated.h"
 #include "tb/verilate/making_line.h"
 #include "tb/verilate/plugin_compiler.h"
@@ -65,7 +67,7 @@ std::string of_rtl(const std::string& signal, const std::string& wrapper, const 
 
 /// KIND FILE:LINE NAME, one a line.
 std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& circular,
-                    const std::set<std::string>& quiet) {
+                    const CombGroups& groups) {
   std::string text;
   const auto add = [&](const std::string& kind, const RtlSyntax::Place& place) {
     text += kind + " " + text_of(place) + "\n";
@@ -76,7 +78,8 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
   for (const auto& place : syntax.loops) add("loop", place);
   for (const auto& place : syntax.calls) add("call", place);
   for (const RtlSyntax::Port& port : syntax.ports)
-    if (quiet.count(port.name) != 0) add("quiet", port.place);
+    if (port.direction == "input" && port.name != syntax.clock && groups.count(port.name) == 0)
+      add("quiet", port.place);
   for (const std::string& signal : circular) text += "circular " + signal + "\n";
   const std::string inside = std::string(Wrapper) + "." + Wrapped + ".";
   for (std::size_t at = 0; (at = text.find(inside, at)) != std::string::npos;)
@@ -84,41 +87,58 @@ std::string remarks(const RtlSyntax& syntax, const std::vector<std::string>& cir
   return text;
 }
 
-/// From which wires an input takes its value: not the clock, and of an island nothing that a unit
-/// has apart.
-std::string how_taken(const RtlSyntax::Port& port, const RtlSyntax& syntax,
-                      const std::set<std::string>& quiet) {
+/// The bit of an input that follows a wire: not the clock, and of an island nothing that a unit has
+/// apart.
+std::optional<int> bit_when_moved(const RtlSyntax::Port& port, const RtlSyntax& syntax,
+                                  const CombGroups& groups, const CombGroups& taken) {
   const auto begins = [&port](const std::string& start) { return port.name.rfind(start, 0) == 0; };
   const bool island = syntax.top.name == IslandTop;
   if (port.direction != "input" || port.bits > MostBits || port.name == syntax.clock ||
-      port.name == Tick || port.name == Take || (island && (begins(OwnTick) || begins(OwnPins))))
-    return "RTL_APART";
-  return quiet.count(port.name) != 0 || (island && begins(IslandLate)) ? "RTL_QUIET" : "RTL_PROMPT";
+      port.name == Tick || begins(Take) || (island && (begins(OwnTick) || begins(OwnPins))))
+    return {};
+  if (island && begins(IslandGroup)) return std::stoi(port.name.substr(std::strlen(IslandGroup)));
+  if (groups.count(port.name) == 0 || (island && begins(IslandLate))) return RtlQuiet;
+  const auto group = taken.find(port.name);
+  return group == taken.end() ? 0 : group->second;
 }
 
 /// What the glue is told of the RTL: all but texts, so that equal RTL elsewhere compiles to the
 /// same.
-std::string facts(const RtlSources& sources, const RtlSyntax& syntax,
-                  const std::set<std::string>& quiet, bool takes) {
+std::string facts(const RtlSources& sources, const RtlSyntax& syntax, const CombGroups& groups,
+                  const CombGroups& taken) {
   const bool wrapped = is_wrapped(sources, syntax);
-  bool has_tick = syntax.rising_only, has_take = takes;  // or is an island, with its own
-  std::string text = "#define RTL_PORTS";
+  bool has_tick = syntax.rising_only;  // or is an island, with its own
+  std::set<std::string> takes, own_ticks;
+  for (const auto& [name, group] : taken) takes.insert(Take + std::to_string(group));
+  std::string text = "#define RTL_PORTS", quiet = "#define RTL_QUIETS";
   for (const RtlSyntax::Port& port : syntax.ports) {
     if (!is_plain(port.name)) continue;
     const bool ticks = syntax.rising_only && port.name == syntax.clock;
     has_tick |= port.name == Tick;
-    has_take |= port.name == Take;
-    text += " RTL_PORT(" + port.name + ", " + (ticks ? Tick : port.name) + ", " +
-            std::to_string(port.bits) + ", " + (port.direction == "input" ? "1" : "0") + ", " +
-            how_taken(port, syntax, quiet) + ")";
+    if (port.name.rfind(Take, 0) == 0) takes.insert(port.name);
+    if (syntax.top.name == IslandTop && port.name.rfind(OwnTick, 0) == 0)
+      own_ticks.insert(port.name);
+    const auto bit = bit_when_moved(port, syntax, groups, taken);
+    if (bit == RtlQuiet) quiet += fmt::format(" RTL_PORT({})", port.name);
+    const std::string place =
+        !bit ? "nullptr"
+             : fmt::format("&{}.{}", bit == RtlQuiet ? "waiting" : "top_module", port.name);
+    text += fmt::format(" RTL_PORT({}, {}, {}, {:d}, {}, {}U)", port.name, ticks ? Tick : port.name,
+                        port.bits, port.direction == "input", place, bit ? 1U << *bit : 0);
   }
-  text += "\n";
+  text += "\n" + quiet + "\n";
   if (has_tick) text += std::string("#define RTL_TICK ") + Tick + "\n";
   if (has_tick && !syntax.state_elsewhere)
     text +=
         fmt::format("#define RTL_SEEN {}__DOT__{}\n", wrapped ? Wrapper : sources.top, TickSeen);
   else if (!syntax.clock.empty()) text += "#define RTL_CLOCK " + syntax.clock + "\n";
-  if (has_take) text += std::string("#define RTL_TAKE ") + Take + "\n";
+  text += "#define RTL_OWN_TICKS";
+  for (const std::string& tick : own_ticks)
+    text += fmt::format(" RTL_OWN_TICK({0}, {1}__DOT__{0}_seen)", tick, IslandTop);
+  text += "\n";
+  if (!takes.empty()) text += "#define RTL_TAKE";
+  for (const std::string& take : takes) text += " RTL_GROUP(" + take + ")";
+  text += "\n";
   if (!sources.doors.empty())
     text += std::string("#define RTL_KNOCK ") + Knock + "\n#define RTL_DOORS";
   for (std::size_t n = 0; n < sources.doors.size(); ++n)
@@ -140,15 +160,15 @@ std::vector<std::string> settings_beside(const RtlSources& sources) {
 }
 
 std::string texts(const RtlSyntax& syntax, const std::vector<std::string>& settings,
-                  const std::vector<std::string>& circular, const std::set<std::string>& quiet) {
+                  const std::vector<std::string>& circular, const CombGroups& groups) {
   std::string parameters;
   for (const std::string& setting : settings) parameters += setting + " ";
   for (const RtlSyntax::Parameter& parameter : syntax.parameters)
     if (!parameter.value.empty()) parameters += parameter.name + "=" + parameter.value + " ";
   return "extern const char* const rtl_unit = " + c_string(syntax.top.name) +
          ";\nextern const char* const rtl_parameters = " + c_string(parameters) +
-         ";\nextern const char* const rtl_remarks = " + c_string(remarks(syntax, circular, quiet)) +
-         ";\n";
+         ";\nextern const char* const rtl_remarks = " +
+         c_string(remarks(syntax, circular, groups)) + ";\n";
 }
 
 /// "stacks (mine.sv and 1 more)".
@@ -159,12 +179,17 @@ std::string named(const RtlSources& sources) {
          (more > 0 ? " and " + std::to_string(more) + " more)" : ")");
 }
 
-/// What the glue is told of triggers.
-std::string text_of(const DirectTriggers& direct) {
-  std::string text = fmt::format("#define RTL_TICK_TRIGGERS {}\n", fmt::join(direct.ticks, ", "));
-  if (direct.ticks.size() > 1) text += "#define RTL_OWN_TICKS\n";
-  if (direct.take >= 0) text += fmt::format("#define RTL_TAKE_TRIGGER {}\n", direct.take);
-  return text;
+/// What the glue is told to call.
+std::string text_of(const DirectSteps& steps) {
+  std::string text = "#define RTL_INPUT_STEPS";
+  for (const std::string& function : steps.inputs) text += fmt::format(" RTL_STEP({})", function);
+  text += "\n#define RTL_STEPS";
+  for (const DirectStep& step : steps.registers) {
+    unsigned groups = 0;
+    for (const int group : step.groups) groups |= 1U << group;
+    text += fmt::format(" RTL_STEP({}, {}, {}U)", step.function, step.at_tick, groups);
+  }
+  return text + "\n";
 }
 
 /// A source was saved while it was read.
@@ -188,12 +213,11 @@ void remove_classes(const WorkFolder& work) {
   for (const fs::path& file : classes) fs::remove(file);
 }
 
-/// Inputs that need not be seen before the edge. Whoever looks or writes inside has all of them at
-/// once.
-std::set<std::string> late_inputs(const RtlSources& sources, const RtlSyntax& syntax) {
-  if (syntax.clock.empty() || sources.signals || sources.coverage || !sources.doors.empty())
-    return {};
-  return quiet_inputs(sources);
+/// Whoever looks or writes inside has all inputs at once.
+CombGroups groups_of(const RtlSources& sources, const RtlSyntax& syntax) {
+  const bool looked_into =
+      syntax.clock.empty() || sources.signals || sources.coverage || !sources.doors.empty();
+  return looked_into ? one_group(syntax) : comb_groups(sources);
 }
 
 /// The plug-in of what `elaborated` has named `content`. Throws Changed if that is not what was
@@ -203,9 +227,9 @@ void make(RtlSources sources, const std::string& content, const std::string& out
   const RtlSyntax syntax = read_rtl_syntax(sources);
   const MakingLine line("verilating " + named(sources));
   const WorkFolder work;
-  const std::set<std::string> quiet = late_inputs(whole, syntax);
-  const std::set<std::string> taken = taken_inputs(sources, syntax, quiet);
-  std::string known = facts(sources, syntax, quiet, !taken.empty());
+  const CombGroups groups = groups_of(whole, syntax);
+  const CombGroups taken = taken_inputs(sources, syntax, groups);
+  std::string known = facts(sources, syntax, groups, taken);
   if (is_wrapped(sources, syntax)) {
     work.write("wrapper.sv", clock_wrapper(sources, syntax, taken));
     sources.files.push_back(work.file("wrapper.sv"));
@@ -219,8 +243,8 @@ void make(RtlSources sources, const std::string& content, const std::string& out
     remove_classes(work);
     write_rtl_classes(sources, work.path(), true, line.tick());
   }
-  if (const auto direct = direct_triggers(work.path())) known += text_of(*direct);
-  compile_plugin(work, known, texts(syntax, settings_beside(whole), circular, quiet),
+  if (const auto steps = direct_steps(work.path())) known += text_of(*steps);
+  compile_plugin(work, known, texts(syntax, settings_beside(whole), circular, groups),
                  sources.coverage, line.tick(), out);
 }
 

@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <deque>
 #include <map>
 #include <random>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "sc/swap/changed_ports.h"
 #include "sc/swap/wire_place.h"
@@ -26,12 +30,12 @@ struct alignas(8) Ports {
 class FollowedPortsTest : public testing::Test {
  protected:
   Ports ports{};
-  const std::array<rtl_port, 6> table{{{"bit", 1, 1, 0, &ports.bit},
-                                       {"byte", 8, 1, 0, &ports.byte},
-                                       {"half", 13, 2, 0, &ports.half},
-                                       {"word", 32, 4, 0, &ports.word},
-                                       {"wide", 64, 8, 0, &ports.wide},
-                                       {"last", 40, 8, 0, &ports.last}}};
+  const std::array<rtl_port, 6> table{{{"bit", 1, 1, 0, &ports.bit, nullptr, 0},
+                                       {"byte", 8, 1, 0, &ports.byte, nullptr, 0},
+                                       {"half", 13, 2, 0, &ports.half, nullptr, 0},
+                                       {"word", 32, 4, 0, &ports.word, nullptr, 0},
+                                       {"wide", 64, 8, 0, &ports.wide, nullptr, 0},
+                                       {"last", 40, 8, 0, &ports.last, nullptr, 0}}};
   std::mt19937_64 random{7};
   std::uint64_t any_value(const rtl_port& port) { return random() >> (64 - port.bits); }
 };
@@ -69,6 +73,63 @@ TEST_F(FollowedPortsTest, AWireOfOneBitIsABoolAndAnotherAWholeWord) {
     EXPECT_EQ(*place, word.value());
     put(wire, 1);
     EXPECT_EQ(*place, 1u);
+  }
+}
+
+/// A wire, and what follows it.
+template <int Bits>
+struct Followed {
+  static constexpr int bits = Bits;
+  wire<Bits> of{("wire_" + std::to_string(Bits)).c_str()};
+  follower_place<Bits> place = 0;
+  std::uint64_t known = 0;
+};
+
+class Follower : public sc_core::sc_module {
+ public:
+  explicit Follower(const sc_core::sc_module_name& name) : sc_module(name) {
+    SC_HAS_PROCESS(Follower);
+    SC_METHOD(wake);
+    sensitive << woken;
+    dont_initialize();
+  }
+  sc_core::sc_event woken{"woken"};
+  int wakes = 0;
+
+ private:
+  void wake() { ++wakes; }
+};
+
+TEST_F(FollowedPortsTest, AFollowerHasWhatItsWireHasAndIsWokenAtEachChange) {
+  std::tuple<Followed<1>, Followed<8>, Followed<13>, Followed<32>, Followed<40>, Followed<64>> all;
+  Follower follower("follower");
+  std::uint32_t moved = 0, bit = 1;
+  std::deque<wire_follower> followers;
+  std::apply(
+      [&](auto&... one) {
+        ((followers.push_back({&one.place, &moved, 0, &follower.woken}),
+          one.of.add(followers.back())),
+         ...);
+      },
+      all);
+  for (wire_follower& one : followers) one.bit = std::exchange(bit, bit << 1);
+  for (int n = 0; n < 1000; ++n) {
+    std::uint32_t expected = 0, number = 1;
+    const auto drive = [&](auto& one) {
+      if (random() % 3 == 0) {
+        const std::uint64_t value = random() & (~std::uint64_t{0} >> (64 - one.bits));
+        one.of.drive(value);
+        if (std::exchange(one.known, value) != value) expected |= number;
+      }
+      number <<= 1;
+    };
+    std::apply([&](auto&... one) { (drive(one), ...); }, all);
+    const int woken_before = follower.wakes;
+    sc_core::sc_start(1, sc_core::SC_NS);
+    EXPECT_EQ(std::exchange(moved, 0), expected);
+    EXPECT_EQ(follower.wakes - woken_before, expected != 0) << "once for all";
+    const auto follows = [](const auto& one) { EXPECT_EQ(one.place, one.known) << one.bits; };
+    std::apply([&](const auto&... one) { (follows(one), ...); }, all);
   }
 }
 

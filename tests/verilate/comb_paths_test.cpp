@@ -1,5 +1,6 @@
 // Promises of tb/verilate/comb_paths.h: an input is called quiet only if no output follows it
-// before the next edge; and the headers of all units name, as Comb, each input that is not quiet.
+// before the next edge, and is in one group with each output that does; and the headers of all
+// units name, as Comb, each input that is not quiet.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,19 +29,25 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::SizeIs;
 
-class QuietInputs : public testing::Test {
- protected:
-  /// Of a module with the inputs clk_i, a_i, b_i, two bits of s_i and the output y_o.
-  std::set<std::string> of(const std::string& body, const std::string& before = "") {
-    const std::string file = folder.path() + "/mine.sv";
-    std::ofstream(file) << before << R"(module mine (
-  input wire clk_i, input wire a_i, input wire b_i, input wire [1:0] s_i, output logic y_o);
+/// Of a module with the inputs clk_i, a_i, b_i, two bits of s_i and the outputs y_o and z_o.
+CombGroups groups_of(const std::string& body, const std::string& before = "") {
+  const ScratchFolder folder;
+  const std::string file = folder.path() + "/mine.sv";
+  std::ofstream(file) << before << R"(module mine (
+  input wire clk_i, input wire a_i, input wire b_i, input wire [1:0] s_i,
+  output logic y_o, output logic z_o);
 )" << body << "\nendmodule\n";
-    return quiet_inputs({"mine", {file}});
-  }
+  return comb_groups({"mine", {file}});
+}
 
-  ScratchFolder folder;
+struct QuietInputs : testing::Test {
+  static std::set<std::string> of(const std::string& body, const std::string& before = "") {
+    std::set<std::string> quiet = {"a_i", "b_i", "s_i"};
+    for (const auto& [port, group] : groups_of(body, before)) quiet.erase(port);
+    return quiet;
+  }
 };
 
 TEST_F(QuietInputs, AreThoseBeforeARegister) {
@@ -87,9 +95,31 @@ TEST_F(QuietInputs, AreUnknownOfRtlThatYosysCannotRead) {
               IsEmpty());
 }
 
-TEST(QuietInputsOfANetlist, AreNotGuessedFromSomethingElse) {
-  EXPECT_THROW(quiet_inputs_in("{}"), RtlError);
-  EXPECT_THROW(quiet_inputs_in("no netlist"), RtlError);
+TEST(CombGroups, AreApartWhereNoOutputFollowsTwoInputs) {
+  const CombGroups groups = groups_of("assign y_o = a_i; assign z_o = b_i & s_i[1];");
+  EXPECT_EQ(groups.at("y_o"), groups.at("a_i"));
+  EXPECT_EQ(groups.at("z_o"), groups.at("b_i"));
+  EXPECT_EQ(groups.at("z_o"), groups.at("s_i"));
+  EXPECT_NE(groups.at("y_o"), groups.at("z_o"));
+}
+
+TEST(CombGroups, AreOneWhereAnInputReachesTwoOutputs) {
+  const CombGroups groups = groups_of("assign y_o = a_i ^ s_i[0]; assign z_o = b_i & s_i[1];");
+  EXPECT_THAT(groups, SizeIs(5));
+  for (const auto& [port, group] : groups) EXPECT_EQ(group, 0) << port;
+}
+
+TEST(CombGroups, AreNotJoinedByTheClock) {
+  const CombGroups groups = groups_of(
+      "logic p, q; always_ff @(posedge clk_i) {p, q} <= s_i;\n"
+      "assign y_o = a_i & p; assign z_o = b_i & q;");
+  EXPECT_EQ(groups.count("clk_i"), 0U);
+  EXPECT_NE(groups.at("a_i"), groups.at("b_i"));
+}
+
+TEST(CombGroupsOfANetlist, AreNotGuessedFromSomethingElse) {
+  EXPECT_THROW(comb_groups_in("{}", "clk_i"), RtlError);
+  EXPECT_THROW(comb_groups_in("no netlist", "clk_i"), RtlError);
 }
 
 /// A unit's header, by whose stem its RTL is called.
@@ -137,10 +167,9 @@ TEST_P(Header, NamesEachInputThatReachesAnOutput) {
   const std::string engine = fs::path(GetParam()).parent_path().filename();
   const RtlSources rtl{unit, {project_folder() + "/rtl/" + engine + "/" + unit + ".sv"}};
   const RtlSyntax syntax = read_rtl_syntax(rtl);
-  const std::set<std::string> quiet = quiet_inputs(rtl);
+  const CombGroups groups = comb_groups(rtl);
   for (const RtlSyntax::Port& port : syntax.ports) {
-    const bool counts = port.direction == "input" && port.name != syntax.clock;
-    if (counts && quiet.count(port.name) == 0) {
+    if (port.direction == "input" && groups.count(port.name) != 0) {
       EXPECT_TRUE(names(comb_field(GetParam()), port.name))
           << port.name << " reaches an output of " << unit << ", and its header says\n"
           << comb_field(GetParam());
