@@ -93,7 +93,7 @@ void rtl_island::join(const std::vector<island_unit*>& units) {
     if (at == side.end() || at->second->bits() != port.bits)
       throw RtlError(units.at(0)->plugin() + " is made of other units: " + name + " is not theirs");
     if (port.is_input) (late ? late_ : inputs_).push_back({at->second, &port});
-    else inner_.push_back({at->second, &port});
+    else outputs_.push_back({at->second, &port});
   }
 }
 
@@ -115,7 +115,7 @@ void rtl_island::find_wires() {
       wires_.follow(*in.pin, *in.rtl, &moved_event_);
       by_name[wire_name(in.pin->port_name())] = place_of(in.pin->contents());
     }
-  for (output& out : inner_) {
+  for (output& out : outputs_) {
     out.wire = out.pin->contents();
     by_name[wire_name(out.pin->port_name())] = place_of(out.wire);
     const sc_core::sc_object* channel = channel_of(*out.pin);
@@ -130,23 +130,13 @@ void rtl_island::find_wires() {
         throw RtlError(std::string(pin->port_name()) + " of " + unit->module().name() +
                        " is wired to what is named otherwise; use this unit's RTL without others");
     }
-  for (output& out : inner_)
-    if (!out.is_inner) {
-      outer_.push_back(out);
-      driven_.push_back(&wire_of(*out.pin));
-    }
-  inner_.erase(
-      std::remove_if(inner_.begin(), inner_.end(), [](const output& out) { return !out.is_inner; }),
-      inner_.end());
-  inner_changes_ = changes_of(inner_);
-  outer_changes_ = changes_of(outer_);
-  bound_ = true;
-}
-
-changed_ports rtl_island::changes_of(const std::vector<output>& outputs) {
   std::vector<const rtl_port*> ports;
-  for (const output& out : outputs) ports.push_back(out.rtl);
-  return changed_ports(ports);
+  for (const output& out : outputs_) {
+    ports.push_back(out.rtl);
+    driven_.push_back(out.is_inner ? nullptr : &wire_of(*out.pin));
+  }
+  changes_ = changed_ports(ports);
+  bound_ = true;
 }
 
 /// Whether an input has moved.
@@ -166,26 +156,21 @@ bool rtl_island::settle() {
 // Its wires have what the other inputs have made of them.
 void rtl_island::check_late() {
   library_.eval();
-  outer_changes_.visit([this](std::size_t n, std::uint64_t) {
-    tell_not_quiet(library_.model(), outer_[n].rtl->name);
-  });
-  inner_changes_.visit([this](std::size_t n, std::uint64_t) {
-    tell_not_quiet(library_.model(), inner_[n].rtl->name);
+  changes_.visit([this](std::size_t n, std::uint64_t) {
+    tell_not_quiet(library_.model(), outputs_[n].rtl->name);
   });
 }
 
 void rtl_island::comb() {
-  const bool moved = settle();
+  bool moved = settle();
   if (!moved && !due_) return;
-  moved_ |= moved;
-  moved_ |= drive_outer();
-  moved_ |= publish();
-  if (std::exchange(due_, false)) rest_.look(library_.model(), moved_);
+  moved |= drive();
+  show();
+  if (std::exchange(due_, false)) rest_.look(library_.model(), moved);
 }
 
 // At the edge others still read what the wires had before it.
 void rtl_island::seq() {
-  moved_ = false;
   if (rest_.now()) {
     if (!wires_.quiet_moved()) return library_.pass();
     rest_.end();
@@ -195,27 +180,29 @@ void rtl_island::seq() {
   due_ = std::exchange(followed_, false) && library_.can_rise_and_eval();
   if (due_) return moved_event_.notify(sc_core::SC_ZERO_TIME);
   library_.rise();
-  moved_ |= drive_outer();
-  request_update();
+  rest_.look(library_.model(), drive());
+  if (!to_show_.empty()) request_update();
 }
 
-void rtl_island::update() {
-  moved_ |= publish();
-  rest_.look(library_.model(), moved_);
-}
+void rtl_island::update() { show(); }
 
-bool rtl_island::drive_outer() {
-  return outer_changes_.visit(
-      [this](std::size_t n, std::uint64_t value) { driven_[n]->drive(value); });
-}
-
-bool rtl_island::publish() {
-  return inner_changes_.visit([this](std::size_t n, std::uint64_t value) {
-    put(inner_[n].wire, value);
-    if (!value || !inner_[n].rises) return;
-    if (sc_core::sc_event* rises = inner_[n].rises->*rising_event::of)
-      rises->notify(sc_core::SC_ZERO_TIME);
+/// Outer wires; inner ones are to be shown. Whether an output has moved.
+bool rtl_island::drive() {
+  return changes_.visit([this](std::size_t n, std::uint64_t value) {
+    if (any_wire* wire = driven_[n]) wire->drive(value);
+    else to_show_.emplace_back(n, value);
   });
+}
+
+void rtl_island::show() {
+  for (const auto& [n, value] : to_show_) {
+    const output& out = outputs_[n];
+    put(out.wire, value);
+    if (!value || !out.rises) continue;
+    if (sc_core::sc_event* rises = out.rises->*rising_event::of)
+      rises->notify(sc_core::SC_ZERO_TIME);
+  }
+  to_show_.clear();
 }
 
 std::vector<probe> rtl_island::probes(const std::string& instance) const {
@@ -255,8 +242,8 @@ void rtl_island::private_edges(const std::string& instance, const input_values& 
   write(own, 0);
   library_.eval();
   rest_.end();
-  drive_outer();
-  publish();
+  drive();
+  show();
 }
 
 std::vector<std::unique_ptr<rtl_island>> islands_of(const sc_core::sc_module& chip) {

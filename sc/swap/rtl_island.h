@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sc/base/probe.h"
@@ -91,19 +92,18 @@ class rtl_island : public sc_core::sc_prim_channel {
   void comb();
   void seq();
   void update() override;
-  bool publish();
-  static changed_ports changes_of(const std::vector<output>& outputs);
   bool settle();
   void check_late();
-  bool drive_outer();
+  bool drive();
+  void show();
 
   // What each clock reads comes first, in few lines of the cache.
   alignas(64) rtl_library library_;
   followed_inputs wires_{library_.model()};
-  changed_ports inner_changes_, outer_changes_;
-  std::vector<any_wire*> driven_;  // by outer_
+  changed_ports changes_;                                       // of the outputs
+  std::vector<any_wire*> driven_;                               // by them; nullptr: an inner one
+  std::vector<std::pair<std::size_t, std::uint64_t>> to_show_;  // inner ones that have moved
   rtl_rest rest_;
-  bool moved_ = false;  // something has, in this clock
   bool settled_ = false, bound_ = false;
   // An edge is due, at once with the inputs that move after it, when the others have had theirs.
   bool due_ = false;
@@ -111,7 +111,7 @@ class rtl_island : public sc_core::sc_prim_channel {
   std::uint64_t edges_ = 0;
   sc_core::sc_event moved_event_;  // an input that is not late has, or an edge is due
   std::vector<input> inputs_, late_;
-  std::vector<output> inner_, outer_;
+  std::vector<output> outputs_;
   const std::vector<island_unit*> units_;
 };
 
