@@ -3,29 +3,19 @@
 #include "tb/verilate/direct_steps.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <sstream>
 
 #include "tb/base/text_pattern.h"
 #include "tb/base/whole_file.h"
+#include "tb/verilate/class_body.h"
 #include "tb/verilate/clock_wrapper.h"
+#include "tb/verilate/needless_steps.h"
 
 namespace racebeam {
 
 namespace {
-
-/// The body of a function, without blanks; empty if it is not there.
-std::string body_of(const std::string& text, const std::string& function) {
-  const auto begin = text.find("void Vrtl___024root___" + function + "(Vrtl___024root* vlSelf) {");
-  if (begin == std::string::npos) return "";
-  std::string body = text.substr(begin, text.find("\n}\n", begin) - begin);
-  body.erase(std::remove_if(body.begin(), body.end(),
-                            [](unsigned char c) { return std::isspace(c) != 0; }),
-             body.end());
-  return body;
-}
 
 /// Whether eval() does nothing but look for triggers: no values are sampled for properties, say.
 bool only_looks(const std::string& body) {
@@ -102,13 +92,13 @@ std::optional<DirectSteps> direct_steps(const std::string& folder) {
   std::string text;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".cpp") text += whole_file(entry.path());
-  const std::string active = body_of(text, "eval_act");
-  if (!only_looks(body_of(text, "eval")) || active.empty() ||
+  const std::string active = class_body(text, "eval_act");
+  if (!only_looks(class_body(text, "eval")) || active.empty() ||
       active.find("Triggered") != std::string::npos)
     return {};
-  const auto triggers = triggers_in(body_of(text, "eval_triggers__act"));
-  const auto inputs = calls_in(body_of(text, "eval_ico"), "ico");
-  const auto registers = calls_in(body_of(text, "eval_nba"), "nba");
+  const auto triggers = triggers_in(class_body(text, "eval_triggers__act"));
+  const auto inputs = calls_in(class_body(text, "eval_ico"), "ico");
+  const auto registers = calls_in(class_body(text, "eval_nba"), "nba");
   if (!triggers || !inputs || !registers) return {};
   DirectSteps steps;
   for (const Call& call : *inputs)
@@ -124,13 +114,14 @@ std::optional<DirectSteps> direct_steps(const std::string& folder) {
       }
     }
   const auto looks = [&text](const std::string& function) {
-    const std::string body = body_of(text, function);
+    const std::string body = class_body(text, function);
     return body.empty() || body.find("Triggered") != std::string::npos;
   };
   for (const std::string& function : steps.inputs)
     if (looks(function)) return {};
   for (const DirectStep& step : steps.registers)
     if (looks(step.function)) return {};
+  find_needless(text, whole_file(folder + "/Vrtl___024root.h"), steps);
   return steps;
 }
 

@@ -17,6 +17,10 @@ struct DirectStep {
   std::string function;
   bool at_tick = false;  ///< called when the clock of a clock_wrapper() or an island rises
   std::set<int> groups;  ///< and when one of these is taken
+  /// If not, at a tick only if one of these members has changed in it, or one of these functions
+  /// has been called.
+  bool always = true;
+  std::vector<std::string> changed{}, called{};
 };
 
 struct DirectSteps {

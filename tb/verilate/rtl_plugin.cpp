@@ -183,13 +183,20 @@ std::string named(const RtlSources& sources) {
 std::string text_of(const DirectSteps& steps) {
   std::string text = "#define RTL_INPUT_STEPS";
   for (const std::string& function : steps.inputs) text += fmt::format(" RTL_STEP({})", function);
-  text += "\n#define RTL_STEPS";
+  std::string before, calls;
+  std::set<std::string> compared;
   for (const DirectStep& step : steps.registers) {
+    std::string needed = step.at_tick && step.always ? "true" : "false";
+    for (const std::string& function : step.called) needed += " || called_" + function;
+    for (const std::string& member : step.changed) {
+      needed += fmt::format(" || root->{0} != {0}_before", member);
+      if (compared.insert(member).second) before += fmt::format(" RTL_BEFORE({})", member);
+    }
     unsigned groups = 0;
     for (const int group : step.groups) groups |= 1U << group;
-    text += fmt::format(" RTL_STEP({}, {}, {}U)", step.function, step.at_tick, groups);
+    calls += fmt::format(" RTL_STEP({}, {}, {}U)", step.function, needed, groups);
   }
-  return text + "\n";
+  return text + "\n#define RTL_STEPS" + before + calls + "\n";
 }
 
 /// A source was saved while it was read.

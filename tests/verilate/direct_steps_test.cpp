@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tb/verilate/verilator.h"
 #include "tests/support/scratch_folder.h"
@@ -20,10 +22,13 @@
 namespace racebeam {
 namespace {
 
+using testing::ElementsAre;
+using testing::EndsWith;
 using testing::Ge;
 using testing::IsEmpty;
 using testing::Not;
 using testing::Pair;
+using testing::SizeIs;
 using testing::UnorderedElementsAre;
 
 const std::string Ticks =
@@ -89,6 +94,42 @@ TEST(DirectStepsTest, AUnitOfAnIslandMayHaveItsOwnClock) {
       Register);
   ASSERT_TRUE(known);
   EXPECT_GE(counts(*known).first, 2) << "it rises with the island's";
+}
+
+/// Logic of many statements from `input` to c, and `more`.
+std::string much_logic(const std::string& input, const std::string& more) {
+  std::string text =
+      "reg [31:0] q = 0, mixed;\nalways @(posedge clk) if (b) q <= q + 1;\n"
+      "always @* begin\nmixed = " +
+      input + ";\n";
+  for (int n = 0; n < 150; ++n)
+    text += "if (mixed[" + std::to_string(n % 32) + "]) mixed = mixed * 32'd" +
+            std::to_string(2 * n + 3) + " + " + input + ";\n";
+  return text + "c = ^mixed;\n" + more + "end\n";
+}
+
+/// Those that are called at a tick, of so many statements that it pays to ask whether they need be.
+std::vector<DirectStep> needed_sometimes(const std::string& mine) {
+  const auto known = steps_of("assign d = 0;\n", mine);
+  EXPECT_TRUE(known);
+  std::vector<DirectStep> steps;
+  if (known)
+    std::copy_if(known->registers.begin(), known->registers.end(), std::back_inserter(steps),
+                 [](const DirectStep& step) { return !step.always; });
+  return steps;
+}
+
+TEST(DirectStepsTest, MuchLogicIsComputedAgainIfARegisterBeforeItHasChanged) {
+  const auto steps = needed_sometimes(much_logic("(q ^ {32{b}})", ""));
+  ASSERT_THAT(steps, SizeIs(1));
+  EXPECT_THAT(steps[0].changed, ElementsAre(EndsWith("__DOT__q")));
+  EXPECT_THAT(steps[0].called, IsEmpty());
+}
+
+TEST(DirectStepsTest, WhatSpeaksOrIsShortIsComputedAtEachTick) {
+  EXPECT_THAT(needed_sometimes(much_logic("(q ^ {32{b}})", "$display(\"%d\", mixed);\n")),
+              IsEmpty());
+  EXPECT_THAT(needed_sometimes(Register), IsEmpty());
 }
 
 TEST(DirectStepsTest, OtherTriggersAreLookedFor) {
