@@ -52,11 +52,13 @@ std::set<std::string> parameters_in(const std::vector<std::string>& tokens) {
   return names;
 }
 
+/// Of SystemVerilog; constraints beside it have the same names.
 std::map<std::string, std::string> files_by_stem(const std::vector<std::string>& folders) {
   std::map<std::string, std::string> files;
   for (const std::string& folder : folders)
     for (const auto& entry : fs::directory_iterator(folder))
-      files[entry.path().stem().string()] = entry.path().string();
+      if (const std::string kind = entry.path().extension(); kind == ".sv" || kind == ".svh")
+        files[entry.path().stem().string()] = entry.path().string();
   return files;
 }
 
