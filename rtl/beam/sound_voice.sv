@@ -3,9 +3,9 @@
 //
 // Combinational, with eight products one behind the other. In pwm_sound the inputs are stable from
 // the first clock of a slot and the value is taken near its end, some 20 clocks later at the
-// highest speed: sound_voice.sdc says so. What is behind the tables is functions: a simulator
-// computes a voice only in the clock that takes it; in hardware taken_i is the last gate. Tones and
-// drums share it: both are a sine; a tone's turns evenly and is modulated, a drum's slows down.
+// highest speed: sound_voice.sdc says so. All of it is functions: a simulator computes a voice only
+// in the clock that takes it; in hardware taken_i is the last gate. Tones and drums share it: both
+// are a sine; a tone's turns evenly and is modulated, a drum's slows down.
 //
 // SPDX-FileCopyrightText: racebeam contributors
 // SPDX-License-Identifier: Apache-2.0
@@ -27,6 +27,8 @@ module sound_voice (
   typedef enum logic [3:0] {
     Kick, Body, Snare, Hat, Crash, Tom, Bass, Lead, Second, Pad, Arpeggio
   } voice_kind;
+
+  `include "tune_tables.svh"
 
   // --- What the voices are ----------------------------------------------------------------------
   // {kind, delay, detune, degree, octave, level}
@@ -230,69 +232,25 @@ module sound_voice (
     vibrato_bend = bend[21:10];
   endfunction
 
-  // --- Where the voice is in the tune -----------------------------------------------------------
-  logic [3:0] kind;
-  logic [5:0] delay;  // frames behind the tune: an echo
-  logic signed [3:0] detune;  // added to the phase increment
-  logic [2:0] degree;  // pads: note of the chord
-  logic octave;  // notes are played this much higher
-  logic [5:0] level;  // 0..32
-  assign {kind, delay, detune, degree, octave, level} = setup(voice_i);
-
-  // An echo of frame 0 asks for measure 127, which is silent.
-  wire logic [13:0] frame = frame_i - 14'(delay);
-  wire logic [39:0] chord;
-  wire logic [1:0] lead_sound;
-  wire logic [3:0] brightness;
-  wire logic [6:0] lead, second, pad, bass, arpeggio, kick, snare, hat, crash, tom;
-  tune_measures u_tune_measures (
-      .measure_i(frame[13:7]),
-      .chord_o(chord),
-      .sound_o(lead_sound),
-      .brightness_o(brightness),
-      .lead_o(lead),
-      .second_o(second),
-      .pad_o(pad),
-      .bass_o(bass),
-      .arpeggio_o(arpeggio),
-      .kick_o(kick),
-      .snare_o(snare),
-      .hat_o(hat),
-      .crash_o(crash),
-      .tom_o(tom)
-  );
-
-  logic [6:0] bar;
-  always_comb begin
-    case (kind)
-      Kick: bar = kick;
-      Body, Snare: bar = snare;
-      Hat: bar = hat;
-      Crash: bar = crash;
-      Tom: bar = tom;
-      Bass: bar = bass;
-      Lead: bar = lead;
-      Second: bar = second;
-      Pad: bar = pad;
-      default: bar = arpeggio;
-    endcase
-  end
-
-
-  wire logic [127:0] steps, kick_steps;
-  tune_bars u_own (
-      .bar_i(bar),
-      .steps_o(steps)
-  );
-  tune_bars u_kick (
-      .bar_i(kick),
-      .steps_o(kick_steps)
-  );
-
   // --- Its value --------------------------------------------------------------------------------
-  // in_step: samples since the step began
   function automatic logic signed [9:0] value_of(
-      input logic [3:0] step, input logic [13:0] in_step);
+      input logic [4:0] voice, input logic [18:0] phase, input logic [13:0] now,
+      input logic [10:0] sample);
+    logic [3:0] kind;
+    logic [5:0] delay;  // frames behind the tune: an echo
+    logic signed [3:0] detune;  // added to the phase increment
+    logic [2:0] degree;  // pads: note of the chord
+    logic octave;  // notes are played this much higher
+    logic [5:0] level;  // 0..32
+    logic [13:0] frame;  // of the tune
+    logic [2:0] harmony;
+    logic [39:0] chord;
+    logic [1:0] lead_sound;
+    logic [3:0] brightness;
+    logic [6:0] lead, second, pad, bass, arpeggio, kick, snare, hat, crash, tom, bar;
+    logic [127:0] steps, kick_steps;
+    logic [3:0] step;
+    logic [13:0] in_step;  // samples since it began
     logic [7:0] note, kick_note, chord_note, pitch;
     logic [3:0] first, kick_first;  // steps in which they began
     logic [17:0] since, left;  // samples since the note began, and of it that follow
@@ -314,6 +272,29 @@ module sound_voice (
     logic signed [8:0] hiss;
     logic signed [9:0] wave;
     logic signed [27:0] product;
+
+    // Where the voice is in the tune. An echo of frame 0 asks for measure 127, which is silent.
+    {kind, delay, detune, degree, octave, level} = setup(voice);
+    frame = now - 14'(delay);
+    {harmony, lead, lead_sound, second, pad, bass, arpeggio, kick, snare, hat, crash, tom,
+     brightness} = measure_of(frame[13:7]);
+    chord = chord_of(harmony);
+    case (kind)
+      Kick: bar = kick;
+      Body, Snare: bar = snare;
+      Hat: bar = hat;
+      Crash: bar = crash;
+      Tom: bar = tom;
+      Bass: bar = bass;
+      Lead: bar = lead;
+      Second: bar = second;
+      Pad: bar = pad;
+      default: bar = arpeggio;
+    endcase
+    steps = steps_of(bar);
+    kick_steps = steps_of(kick);
+    step = frame[6:3];
+    in_step = 14'(frame[2:0]) * 14'd1050 + 14'(sample);
 
     {note, first} = note_in(steps, step);
     since = samples_of(step - first) + 18'(in_step);
@@ -348,7 +329,7 @@ module sound_voice (
       Pad: pitch = chord_note;
       default: pitch = chord_note + {note[7:4] - 4'd1 + 4'(octave), 4'd0};
     endcase
-    even = (phase_increment(pitch) + 19'(detune)) * phase_i;
+    even = (phase_increment(pitch) + 19'(detune)) * phase;
     turn = is_drum ? falling(kind, note[1:0], since) : even[18:7];
     if (vibrato) turn = turn + vibrato_bend(since);
 
@@ -356,10 +337,10 @@ module sound_voice (
     fallen_depth = 22'(depth) * 22'(decaying(since, depth_decay)) >> 10;
     depth_now = fallen_depth < 22'(depth_floor) ? 12'(depth_floor) : 12'(fallen_depth);
     modulation = 22'(sine(12'(ratio) * turn)) * 22'(signed'(depth_now));
-    hiss = noise(19'(phase_i[18:1]));
+    hiss = noise(19'(phase[18:1]));
     case (kind)
       Snare: wave = {hiss, 1'b1};
-      Hat, Crash: wave = 10'(hiss) - 10'(noise(19'(phase_i[18:1]) - 19'd1));
+      Hat, Crash: wave = 10'(hiss) - 10'(noise(19'(phase[18:1]) - 19'd1));
       default: wave = sine(turn + modulation[20:9]);
     endcase
 
@@ -371,7 +352,7 @@ module sound_voice (
 
   always_comb begin
     value_o = '0;
-    if (taken_i) value_o = value_of(frame[6:3], 14'(frame[2:0]) * 14'd1050 + 14'(sample_i));
+    if (taken_i) value_o = value_of(voice_i, phase_i, frame_i, sample_i);
   end
 endmodule
 

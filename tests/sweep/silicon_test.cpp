@@ -77,7 +77,7 @@ TEST(UnitSourcesTest, AreWhatVerilatorReads) {
     EXPECT_EQ(own, files) << unit;
     EXPECT_EQ(sources.parameters, parameters) << unit;
   }
-  EXPECT_EQ(unit_sources("pwm_sound", rtl_folders()).files.size(), 5u);
+  EXPECT_EQ(unit_sources("pwm_sound", rtl_folders()).files.size(), 4u);
 }
 
 TEST(UnitSourcesTest, ParametersAreByDefaultAsKnobsAre) {
